@@ -207,9 +207,9 @@ std::vector<DeviceListing> DeviceRegistry::listMakersApart() {
 }
 
 std::vector<DeviceListing> DeviceRegistry::list() {
-    std::vector<DeviceListing> listings{
-        {kSimulated, "Simulated hand", true, "the mouse moves it in the window; 3 degrees of freedom, 1 kHz"},
-        {"", "Recorded hand", true, "plays a finger path: tactum touch SCENE --path FINGER.csv"}};
+    std::vector<DeviceListing> listings;
+    for (const BuiltIn& each : kBuiltIn)
+        listings.push_back({std::string(each.id), std::string(each.name), true, std::string(each.sentence)});
     std::ranges::move(listOwn(), std::back_inserter(listings));
     std::ranges::move(settings_.program.empty() ? listMakers() : listMakersApart(),
                       std::back_inserter(listings));

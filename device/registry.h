@@ -4,9 +4,11 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 
 #include "core/port/device_catalogue.h"
 #include "core/port/hand_target.h"
+#include "device/simulated_hand.h"
 
 namespace tactum {
 
@@ -42,6 +44,16 @@ private:
     RegistrySettings settings_;
     std::vector<DeviceListing> makers_; ///< as they were last asked for
     std::optional<std::chrono::steady_clock::time_point> asked_;
+};
+
+/// What everybody has, whatever is plugged in. A window says its words in its own language.
+struct BuiltIn {
+    std::string_view id; ///< empty: only a remark
+    std::string_view name, sentence;
+};
+inline constexpr BuiltIn kBuiltIn[] = {
+    {"simulated", kSimulatedHandName, "the mouse moves it in the window; 3 degrees of freedom, 1 kHz"},
+    {"", "Recorded hand", "plays a finger path: tactum touch SCENE --path FINGER.csv"},
 };
 
 /// Where a person's own profiles are: ~/.config/Tactum/devices, or below XDG_CONFIG_HOME.

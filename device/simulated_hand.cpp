@@ -42,7 +42,7 @@ SimulatedHand::SimulatedHand(std::shared_ptr<HandTarget> target, SimulatedHandPr
     : target_(std::move(target)), profile_(profile) {}
 
 DeviceInfo SimulatedHand::info() const {
-    return {.name = "Simulated hand",
+    return {.name = std::string(kSimulatedHandName),
             .maxForce = profile_.maxForce,
             .workspaceRadius = profile_.workspaceRadius,
             .rate = kRate,

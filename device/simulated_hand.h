@@ -2,12 +2,16 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "core/port/hand_target.h"
 #include "core/port/haptic_device.h"
 #include "core/port/minimum_jerk.h"
 
 namespace tactum {
+
+/// What it is called, for a person; a window says it in its own language.
+inline constexpr std::string_view kSimulatedHandName = "Simulated hand";
 
 /// The hand and the moving parts of a device as one point mass. Assumed values, near a firm pinch grip on a
 /// desktop device; not a calibration. A surface of stiffness K, rendered every T seconds and one tick late,

@@ -52,17 +52,24 @@ bool grantedSlice(int nice) noexcept {
            syscall(SYS_sched_getattr, 0, &kept, sizeof kept, 0) == 0 && kept.runtime == kSlice;
 }
 
-const char* givenBy(PriorityBroker broker) {
-    if (broker == PriorityBroker::RealtimeKit) return " by RealtimeKit";
-    return broker == PriorityBroker::Portal ? " by the desktop portal" : "";
+/// Of kUrgencyWords.
+enum Said { Granted, WithPriority, WithNone, ByKit, ByPortal, WithSlices, WithTimers, Swapped, Remedy };
+
+std::string said(Said what) {
+    return std::string(kUrgencyWords[what]);
+}
+
+std::string givenBy(PriorityBroker broker) {
+    if (broker == PriorityBroker::RealtimeKit) return said(ByKit);
+    return broker == PriorityBroker::Portal ? said(ByPortal) : std::string();
 }
 
 std::string manner(const Urgency& urgency) {
     if (urgency.priority > 0)
-        return "real-time priority " + std::to_string(urgency.priority) + givenBy(urgency.broker);
-    std::string words = "no real-time priority";
+        return said(WithPriority) + std::to_string(urgency.priority) + givenBy(urgency.broker);
+    std::string words = said(WithNone);
     if (urgency.nice != 0) words += ", nice " + std::to_string(urgency.nice);
-    return words + (urgency.slice ? ", but slices of 0.1 ms and exact timers" : ", but exact timers");
+    return words + said(urgency.slice ? WithSlices : WithTimers);
 }
 
 } // namespace
@@ -99,13 +106,10 @@ void hasten(Urgency& urgency) noexcept {
 
 std::string sentenceOf(const Urgency& urgency, int unlocked) {
     const bool asAsked = urgency.priority > 0 && urgency.priority >= urgency.asked;
-    if (asAsked && !unlocked) return "Real-time priority and locked memory were granted.";
-    const std::string memory = unlocked ? " and memory that may be swapped out" : "";
+    if (asAsked && !unlocked) return said(Granted);
     const int why = urgency.refusal ? urgency.refusal : unlocked;
-    return "The loops run with " + manner(urgency) + memory + " (" + std::strerror(why) +
-           "): allow more with the lines \"<user> - rtprio 90\", \"<user> - nice -15\" and \"<user> - "
-           "memlock "
-           "unlimited\" in /etc/security/limits.d/tactum.conf, then log in again.";
+    return manner(urgency) + (unlocked ? said(Swapped) : std::string()) + " (" + std::strerror(why) + ")" +
+           said(Remedy);
 }
 
 AwakeProcessors::AwakeProcessors() : file_(open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC)) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tactum {
@@ -40,6 +41,22 @@ int onRung(int asked, int rung);
 /// Everything that helps without priority: nice as the limit allows, the shortest slice, timers without
 /// slack. None of it is missed where there is priority. Thread: the one that gets it, before its loop.
 void hasten(Urgency& urgency) noexcept;
+
+/// What sentenceOf() is made of beside numbers and the words of the system, so that a window can say it in
+/// another language.
+inline constexpr std::string_view kUrgencyWords[] = {
+    "Real-time priority and locked memory were granted.",
+    "The loops run with real-time priority ",
+    "The loops run with no real-time priority",
+    " by RealtimeKit",
+    " by the desktop portal",
+    ", but slices of 0.1 ms and exact timers",
+    ", but exact timers",
+    " and memory that may be swapped out",
+    ": allow more with the lines \"<user> - rtprio 90\", \"<user> - nice -15\" and \"<user> - memlock "
+    "unlimited\" "
+    "in /etc/security/limits.d/tactum.conf, then log in again.",
+};
 
 /// One sentence: what the loops were granted and what helps. `unlocked`: errno of lockPresentMemory().
 std::string sentenceOf(const Urgency& urgency, int unlocked);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -11,7 +12,6 @@ namespace tactum {
 namespace {
 
 constexpr double kLeastCamera = 1e-9, kMostCamera = 1e6; // m
-constexpr double kLeastAngle = 1e-4, kMostAngle = EIGEN_PI - 1e-4;
 constexpr double kUnitLength = 1e-6;
 
 bool isWithin(double value, double least, double most) {
@@ -24,7 +24,7 @@ bool isCamera(const SavedCamera& camera) {
     const auto& [rotation, translation] = camera.pose;
     const bool placed = translation.allFinite() && translation.cwiseAbs().maxCoeff() <= kMostCamera &&
                         std::abs(rotation.norm() - 1) <= kUnitLength;
-    return !camera.name.empty() && placed && isWithin(camera.angle, kLeastAngle, kMostAngle) &&
+    return !camera.name.empty() && placed && camera.angle > 0 && camera.angle < std::numbers::pi &&
            isWithin(camera.height, kLeastCamera, kMostCamera) &&
            isWithin(camera.ahead, kLeastCamera, kMostCamera) && camera.near >= 0 && camera.far >= 0 &&
            std::isfinite(camera.near) && std::isfinite(camera.far);

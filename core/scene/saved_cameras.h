@@ -32,7 +32,8 @@ struct SavedCamera {
 /// Of a scene, whatever a file says.
 inline constexpr std::size_t kMaxCameras = 256;
 
-/// Something can be seen by it: numbers that are finite and neither next to zero nor beyond 1e6 m, a name.
+/// Something can be seen by it: numbers that are finite, lengths neither next to zero nor beyond 1e6 m, an
+/// angle above 0 and below pi, a name.
 bool isCamera(const SavedCamera& camera);
 /// All of them are, each name is there once, and they are not more than the bound above.
 bool areCameras(const std::vector<SavedCamera>& cameras);

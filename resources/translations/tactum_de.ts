@@ -52,6 +52,18 @@
             <translation> Rückgängig bringt alles zurück.</translation>
         </message>
         <message>
+            <source> and memory that may be swapped out</source>
+            <translation> und mit Speicher, der ausgelagert werden kann</translation>
+        </message>
+        <message>
+            <source> by RealtimeKit</source>
+            <translation> von RealtimeKit</translation>
+        </message>
+        <message>
+            <source> by the desktop portal</source>
+            <translation> vom Desktop-Portal</translation>
+        </message>
+        <message>
             <source> servo ticks</source>
             <translation> Servotakte</translation>
         </message>
@@ -208,6 +220,10 @@
             <translation>%1 ist, wie es vor dem Programmabbruch war, mit dem Verlauf.</translation>
         </message>
         <message>
+            <source>%1 is at the haptic server %2. Which device that is is said where the server is started: tactum serve --device. One of this computer is connected in a window without a server.</source>
+            <translation>%1 ist am haptischen Server %2. Welches Gerät das ist, wird dort gesagt, wo der Server gestartet wird: tactum serve --device. Eines an diesem Rechner wird in einem Fenster ohne Server verbunden.</translation>
+        </message>
+        <message>
             <source>%1 is empty now: throw the changes away before %2?</source>
             <translation>%1 ist jetzt leer: Änderungen vor %2 verwerfen?</translation>
         </message>
@@ -340,10 +356,6 @@
             <translation>%1 über der Zeit</translation>
         </message>
         <message>
-            <source>%1 questions after each</source>
-            <translation>%1 Fragen nach jedem</translation>
-        </message>
-        <message>
             <source>%1 s</source>
             <translation>%1 s</translation>
         </message>
@@ -382,10 +394,6 @@
         <message>
             <source>%1 to %2, default %3</source>
             <translation>%1 bis %2, Standard %3</translation>
-        </message>
-        <message>
-            <source>%1 trials</source>
-            <translation>%1 Durchgänge</translation>
         </message>
         <message>
             <source>%1 triangles</source>
@@ -452,10 +460,6 @@
 %2</translation>
         </message>
         <message>
-            <source>%1 · recorded</source>
-            <translation>%1 · aufgenommen</translation>
-        </message>
-        <message>
             <source>%1 × %2 × %3</source>
             <translation>%1 × %2 × %3</translation>
         </message>
@@ -500,16 +504,19 @@
             <translation>%1: %2 N/m, Reibung %3 / %4</translation>
         </message>
         <message>
-            <source>%1: %2 ticks, %3</source>
-            <translation>%1: %2 Takte, %3</translation>
-        </message>
-        <message>
             <source>%1: %2. Undo takes it back.</source>
             <translation>%1: %2. Rückgängig nimmt es zurück.</translation>
         </message>
         <message>
             <source>%1: %2; repair this one in the modelling program.</source>
             <translation>%1: %2; dies im Modellierprogramm reparieren.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %n tick(s), %2</source>
+            <translation>
+                <numerusform>%1: %n Takt, %2</numerusform>
+                <numerusform>%1: %n Takte, %2</numerusform>
+            </translation>
         </message>
         <message>
             <source>%1: cannot be taken over: %2; check the permissions of the folder.</source>
@@ -540,6 +547,20 @@
             <translation>
                 <numerusform>Ausgelassene Bilder: %n, denn der Encoder kam nicht mit; eine kleinere Größe braucht weniger.</numerusform>
                 <numerusform>Ausgelassene Bilder: %n, denn der Encoder kam nicht mit; eine kleinere Größe braucht weniger.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n question(s) after each</source>
+            <translation>
+                <numerusform>%n Frage nach jedem</numerusform>
+                <numerusform>%n Fragen nach jedem</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n trial(s)</source>
+            <translation>
+                <numerusform>%n Durchgang</numerusform>
+                <numerusform>%n Durchgänge</numerusform>
             </translation>
         </message>
         <message>
@@ -1079,6 +1100,14 @@
             <translation>, etwa %1 min</translation>
         </message>
         <message>
+            <source>, but exact timers</source>
+            <translation>, aber mit genauen Zeitgebern</translation>
+        </message>
+        <message>
+            <source>, but slices of 0.1 ms and exact timers</source>
+            <translation>, aber mit Zeitscheiben von 0.1 ms und genauen Zeitgebern</translation>
+        </message>
+        <message>
             <source>0 N</source>
             <translation>0 N</translation>
         </message>
@@ -1093,10 +1122,6 @@
         <message>
             <source>1 of 3: move the handle to the right</source>
             <translation>1 von 3: Griff nach rechts bewegen</translation>
-        </message>
-        <message>
-            <source>1 question after each</source>
-            <translation>1 Frage nach jedem</translation>
         </message>
         <message>
             <source>1 surface</source>
@@ -1141,6 +1166,10 @@
         <message>
             <source>99.9 % &lt; %1</source>
             <translation>99.9 % &lt; %1</translation>
+        </message>
+        <message>
+            <source>: allow more with the lines "&lt;user&gt; - rtprio 90", "&lt;user&gt; - nice -15" and "&lt;user&gt; - memlock unlimited" in /etc/security/limits.d/tactum.conf, then log in again.</source>
+            <translation>: Mehr erlauben mit den Zeilen "&lt;user&gt; - rtprio 90", "&lt;user&gt; - nice -15" und "&lt;user&gt; - memlock unlimited" in /etc/security/limits.d/tactum.conf und sich neu anmelden.</translation>
         </message>
         <message>
             <source>&lt;h3&gt;Tactum %1&lt;/h3&gt;&lt;p&gt;Gives the surfaces of 3-D models a feel, and lets you touch them. After Ruspini and Khatib, &lt;i&gt;Haptic Display for Human Interaction with Virtual Dynamic Environments&lt;/i&gt;, 2001.&lt;/p&gt;&lt;p&gt;BSD-3-Clause licence.&lt;/p&gt;</source>
@@ -1259,6 +1288,10 @@
             <translation>Ein Würfel von 60 mm</translation>
         </message>
         <message>
+            <source>A device is being made ready; wait for it, or give it up.</source>
+            <translation>Ein Gerät wird bereit gemacht; darauf warten oder es aufgeben.</translation>
+        </message>
+        <message>
             <source>A drag with the mouse</source>
             <translation>Ziehen mit der Maus</translation>
         </message>
@@ -1273,6 +1306,10 @@
         <message>
             <source>A ground to put several models on</source>
             <translation>Ein Boden, auf den mehrere Modelle gestellt werden können</translation>
+        </message>
+        <message>
+            <source>A hand has this device already.</source>
+            <translation>Eine Hand hat dieses Gerät schon.</translation>
         </message>
         <message>
             <source>A joint of %1 away</source>
@@ -1595,6 +1632,10 @@
             <translation>Alt+1 bis Alt+9</translation>
         </message>
         <message>
+            <source>Aluminium on steel</source>
+            <translation>Aluminium auf Stahl</translation>
+        </message>
+        <message>
             <source>An edit that is not saved is in the recovery journal after this time at the latest. The first edits are after two seconds.</source>
             <translation>Eine Änderung, die nicht gespeichert ist, steht spätestens nach dieser Zeit im Wiederherstellungs-Journal. Die ersten Änderungen schon nach zwei Sekunden.</translation>
         </message>
@@ -1625,6 +1666,10 @@
         <message>
             <source>Angle %1</source>
             <translation>Winkel %1</translation>
+        </message>
+        <message>
+            <source>Another hand has this device; remove that hand first.</source>
+            <translation>Eine andere Hand hat dieses Gerät; zuerst diese Hand entfernen.</translation>
         </message>
         <message>
             <source>Another name for the object or surface that was selected last</source>
@@ -1683,6 +1728,10 @@
             <translation>Wie auf %1</translation>
         </message>
         <message>
+            <source>As hard as can be</source>
+            <translation>So hart wie möglich</translation>
+        </message>
+        <message>
             <source>As high as they are &amp;felt</source>
             <translation>So hoch wie ge&amp;fühlt</translation>
         </message>
@@ -1738,9 +1787,12 @@
             <source>At most %1 N</source>
             <translation>Höchstens %1 N</translation>
         </message>
-        <message>
-            <source>At most %1 trials</source>
-            <translation>Höchstens %1 Durchgänge</translation>
+        <message numerus="yes">
+            <source>At most %n trial(s)</source>
+            <translation>
+                <numerusform>Höchstens %n Durchgang</numerusform>
+                <numerusform>Höchstens %n Durchgänge</numerusform>
+            </translation>
         </message>
         <message>
             <source>At most trials</source>
@@ -1846,6 +1898,10 @@
         <message>
             <source>Box and lasso also take what lies behind; else what is seen, as the brush does</source>
             <translation>Box und Lasso wählen auch, was dahinter liegt; sonst, was zu sehen ist, wie der Pinsel</translation>
+        </message>
+        <message>
+            <source>Brick</source>
+            <translation>Ziegel</translation>
         </message>
         <message>
             <source>Bring %1 back</source>
@@ -1954,6 +2010,10 @@
         <message>
             <source>Choose %1...</source>
             <translation>%1 wählen...</translation>
+        </message>
+        <message>
+            <source>Choose a device in the list first.</source>
+            <translation>Zuerst ein Gerät in der Liste wählen.</translation>
         </message>
         <message>
             <source>Choose a picture</source>
@@ -2084,12 +2144,24 @@
             <translation>Konvexe Teile</translation>
         </message>
         <message>
+            <source>Copper on steel</source>
+            <translation>Kupfer auf Stahl</translation>
+        </message>
+        <message>
             <source>Copy</source>
             <translation>Kopieren</translation>
         </message>
         <message>
             <source>Copy the feel of a surface first (Ctrl+C).</source>
             <translation>Zuerst die Haptik einer Oberfläche kopieren (Strg+C).</translation>
+        </message>
+        <message>
+            <source>Cork</source>
+            <translation>Kork</translation>
+        </message>
+        <message>
+            <source>Corrugated cardboard</source>
+            <translation>Wellpappe</translation>
         </message>
         <message>
             <source>Counts from the next start on.</source>
@@ -2182,6 +2254,10 @@
         <message>
             <source>Deleted when the program ends; until then it can be brought back</source>
             <translation>Wird bei Programmende gelöscht; bis dahin kann es zurückgeholt werden</translation>
+        </message>
+        <message>
+            <source>Denim</source>
+            <translation>Jeansstoff</translation>
         </message>
         <message>
             <source>Density of what bodies move through, which slows them by the square of their speed: 1.2 is air, 1000 water, 0 nothing.</source>
@@ -2680,6 +2756,10 @@
             <translation>Kraft, Zustand und Vergleich auf ihre Reiter, damit die Ansicht ihren Platz hat</translation>
         </message>
         <message>
+            <source>Forces</source>
+            <translation>Kräfte</translation>
+        </message>
+        <message>
             <source>Forces off</source>
             <translation>Kräfte aus</translation>
         </message>
@@ -2784,6 +2864,18 @@
             <translation>Wird aufgegeben</translation>
         </message>
         <message>
+            <source>Glass and stone</source>
+            <translation>Glas und Stein</translation>
+        </message>
+        <message>
+            <source>Glass on glass</source>
+            <translation>Glas auf Glas</translation>
+        </message>
+        <message>
+            <source>Glass on nickel</source>
+            <translation>Glas auf Nickel</translation>
+        </message>
+        <message>
             <source>Go away from the model</source>
             <translation>Vom Modell weggehen</translation>
         </message>
@@ -2858,6 +2950,14 @@
         <message>
             <source>Haptic server %1, %2 clients, %3</source>
             <translation>Haptischer Server %1, %2 Clients, %3</translation>
+        </message>
+        <message>
+            <source>Hard as rubber</source>
+            <translation>Hart wie Gummi</translation>
+        </message>
+        <message>
+            <source>Hard as wood</source>
+            <translation>Hart wie Holz</translation>
         </message>
         <message>
             <source>Health</source>
@@ -2949,6 +3049,10 @@
         <message>
             <source>Hold the handle.</source>
             <translation>Griff halten.</translation>
+        </message>
+        <message>
+            <source>Honey</source>
+            <translation>Honig</translation>
         </message>
         <message>
             <source>How far a drag turns the camera: 1 is half a turn for the shorter side of the view.</source>
@@ -3049,6 +3153,14 @@
         <message>
             <source>I take the risk</source>
             <translation>Risiko übernehmen</translation>
+        </message>
+        <message>
+            <source>Ice and snow</source>
+            <translation>Eis und Schnee</translation>
+        </message>
+        <message>
+            <source>Ice on ice</source>
+            <translation>Eis auf Eis</translation>
         </message>
         <message>
             <source>Image</source>
@@ -3179,6 +3291,10 @@
             <translation>Gelenkwinkel</translation>
         </message>
         <message>
+            <source>Joint cartilage</source>
+            <translation>Gelenkknorpel</translation>
+        </message>
+        <message>
             <source>Joint force</source>
             <translation>Gelenkkraft</translation>
         </message>
@@ -3287,6 +3403,14 @@
             <translation>Ebenen, oberste zuerst</translation>
         </message>
         <message>
+            <source>Leather and cloth</source>
+            <translation>Leder und Stoff</translation>
+        </message>
+        <message>
+            <source>Leather on oak</source>
+            <translation>Leder auf Eiche</translation>
+        </message>
+        <message>
             <source>Leave the axes as they were</source>
             <translation>Achsen lassen, wie sie waren</translation>
         </message>
@@ -3357,6 +3481,10 @@
         <message>
             <source>Link</source>
             <translation>Link</translation>
+        </message>
+        <message>
+            <source>Liquid</source>
+            <translation>Flüssigkeit</translation>
         </message>
         <message>
             <source>Live</source>
@@ -3529,6 +3657,14 @@
         <message>
             <source>Met as</source>
             <translation>Kollision</translation>
+        </message>
+        <message>
+            <source>Metal</source>
+            <translation>Metall</translation>
+        </message>
+        <message>
+            <source>Metal on wood</source>
+            <translation>Metall auf Holz</translation>
         </message>
         <message>
             <source>Metres</source>
@@ -3735,8 +3871,8 @@
             <translation>Noch keine Bedingung. Die Szene so einrichten, wie sich eine anfühlen soll, dann den Zustand festhalten.</translation>
         </message>
         <message>
-            <source>No device is chosen in the dock Device that no hand has, or there are as many hands as there can be.</source>
-            <translation>Im Bereich Gerät ist kein Gerät gewählt, das noch keine Hand hat, oder es gibt schon so viele Hände wie möglich.</translation>
+            <source>No device is chosen.</source>
+            <translation>Es ist kein Gerät gewählt.</translation>
         </message>
         <message>
             <source>No device is connected.</source>
@@ -3789,10 +3925,6 @@
         <message>
             <source>No object selected</source>
             <translation>Kein Objekt gewählt</translation>
-        </message>
-        <message>
-            <source>No other device is chosen in the dock Device that can be used.</source>
-            <translation>Kein anderes Gerät, das verwendet werden kann, ist im Bereich Gerät gewählt.</translation>
         </message>
         <message>
             <source>No picture</source>
@@ -4199,6 +4331,10 @@
             <translation>Bereich %1</translation>
         </message>
         <message>
+            <source>Paper</source>
+            <translation>Papier</translation>
+        </message>
+        <message>
             <source>Parameter</source>
             <translation>Parameter</translation>
         </message>
@@ -4277,6 +4413,10 @@
         <message>
             <source>Planar</source>
             <translation>Planar</translation>
+        </message>
+        <message>
+            <source>Plastic</source>
+            <translation>Kunststoff</translation>
         </message>
         <message>
             <source>Play (Space)</source>
@@ -4447,6 +4587,10 @@ text | Wie war es?</translation>
             <translation>Messwerte und Kräfte je Sekunde, und wie viele es sein sollten</translation>
         </message>
         <message>
+            <source>Real-time priority and locked memory were granted.</source>
+            <translation>Echtzeitpriorität und gesperrter Speicher wurden gewährt.</translation>
+        </message>
+        <message>
             <source>Recent</source>
             <translation>Zuletzt</translation>
         </message>
@@ -4461,6 +4605,10 @@ text | Wie war es?</translation>
         <message>
             <source>Record the view</source>
             <translation>Ansicht aufnehmen</translation>
+        </message>
+        <message>
+            <source>Recorded hand</source>
+            <translation>Aufgenommene Hand</translation>
         </message>
         <message>
             <source>Recording of several hands; plots, trail and status are those of %1</source>
@@ -4619,6 +4767,18 @@ der Grenze rendern</translation>
         <message>
             <source>Rotation</source>
             <translation>Drehung</translation>
+        </message>
+        <message>
+            <source>Rubber</source>
+            <translation>Gummi</translation>
+        </message>
+        <message>
+            <source>Rubber on dry concrete</source>
+            <translation>Gummi auf trockenem Beton</translation>
+        </message>
+        <message>
+            <source>Rubber on wet concrete</source>
+            <translation>Gummi auf nassem Beton</translation>
         </message>
         <message>
             <source>Run the study</source>
@@ -4957,6 +5117,14 @@ der Grenze rendern</translation>
             <translation>Formen, die ein anderes Programm geändert hat, mit der Haptik, die diese Szene hat</translation>
         </message>
         <message>
+            <source>Shoe on ice</source>
+            <translation>Schuh auf Eis</translation>
+        </message>
+        <message>
+            <source>Shoe on wood</source>
+            <translation>Schuh auf Holz</translation>
+        </message>
+        <message>
             <source>Show</source>
             <translation>Zeigen</translation>
         </message>
@@ -5025,6 +5193,10 @@ der Grenze rendern</translation>
             <translation>Ähnliche Normalen</translation>
         </message>
         <message>
+            <source>Simulated hand</source>
+            <translation>Simulierte Hand</translation>
+        </message>
+        <message>
             <source>Simulated hand · forces off</source>
             <translation>Simulierte Hand · Kräfte aus</translation>
         </message>
@@ -5035,6 +5207,10 @@ der Grenze rendern</translation>
         <message>
             <source>Size of everything</source>
             <translation>Größe von allem</translation>
+        </message>
+        <message>
+            <source>Ski on wet snow</source>
+            <translation>Ski auf nassem Schnee</translation>
         </message>
         <message>
             <source>Slider</source>
@@ -5063,6 +5239,14 @@ der Grenze rendern</translation>
         <message>
             <source>Smooth part</source>
             <translation>Glatter Teil</translation>
+        </message>
+        <message>
+            <source>Soft as foam</source>
+            <translation>Weich wie Schaumstoff</translation>
+        </message>
+        <message>
+            <source>Soft as gel</source>
+            <translation>Weich wie Gel</translation>
         </message>
         <message>
             <source>Softness</source>
@@ -5152,6 +5336,18 @@ der Grenze rendern</translation>
             <translation>Status, Zustand, Diagramme und Spur sind die der nächsten Hand; solange eine Aufnahme gezeigt wird, die einer ihrer Hände</translation>
         </message>
         <message>
+            <source>Steel on ice</source>
+            <translation>Stahl auf Eis</translation>
+        </message>
+        <message>
+            <source>Steel on steel, dry</source>
+            <translation>Stahl auf Stahl, trocken</translation>
+        </message>
+        <message>
+            <source>Steel on steel, oiled</source>
+            <translation>Stahl auf Stahl, geölt</translation>
+        </message>
+        <message>
             <source>Steps multiply and divide</source>
             <translation>Schritte multiplizieren und dividieren</translation>
         </message>
@@ -5222,6 +5418,10 @@ der Grenze rendern</translation>
         <message>
             <source>Studies (*.%1)</source>
             <translation>Studien (*.%1)</translation>
+        </message>
+        <message>
+            <source>Studs</source>
+            <translation>Noppen</translation>
         </message>
         <message>
             <source>Study</source>
@@ -5360,6 +5560,10 @@ der Grenze rendern</translation>
             <translation>Ziel</translation>
         </message>
         <message>
+            <source>Teflon on steel</source>
+            <translation>Teflon auf Stahl</translation>
+        </message>
+        <message>
             <source>Textures and force shading are left out: the scene is too heavy.</source>
             <translation>Texturen und Kraft-Shading sind ausgelassen: Die Szene ist zu schwer.</translation>
         </message>
@@ -5428,8 +5632,16 @@ der Grenze rendern</translation>
             <translation>Kamera zu einer Ansicht</translation>
         </message>
         <message>
+            <source>The camera looks from here from now on</source>
+            <translation>Die Kamera blickt von jetzt an von hier</translation>
+        </message>
+        <message>
             <source>The camera that is kept under this name</source>
             <translation>Die Kamera, die unter diesem Namen gespeichert ist</translation>
+        </message>
+        <message>
+            <source>The camera under another name</source>
+            <translation>Die Kamera unter einem anderen Namen</translation>
         </message>
         <message>
             <source>The children of the spheres shown</source>
@@ -5486,6 +5698,10 @@ der Grenze rendern</translation>
         <message>
             <source>The device gets no force. Also: hold Esc for half a second.</source>
             <translation>Das Gerät erhält keine Kraft. Auch: Esc eine halbe Sekunde halten.</translation>
+        </message>
+        <message>
+            <source>The device is at the haptic server, and is chosen there.</source>
+            <translation>Das Gerät ist am haptischen Server und wird dort gewählt.</translation>
         </message>
         <message>
             <source>The device sent nothing, or readings that cannot be true.</source>
@@ -5584,6 +5800,10 @@ der Grenze rendern</translation>
             <translation>Die Anfasser liegen entlang der Achsen der Welt</translation>
         </message>
         <message>
+            <source>The haptic server %1 is not there, and the device is with it. Start it again: the window finds it by itself.</source>
+            <translation>Der haptische Server %1 ist nicht da, und das Gerät mit ihm. Ihn wieder starten: Das Fenster findet ihn von selbst.</translation>
+        </message>
+        <message>
             <source>The highest x of the selected objects becomes that of the one selected last</source>
             <translation>Das größte x der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
         </message>
@@ -5634,6 +5854,14 @@ der Grenze rendern</translation>
         <message>
             <source>The logs come beside %1.</source>
             <translation>Die Protokolle kommen neben %1.</translation>
+        </message>
+        <message>
+            <source>The loops run with no real-time priority</source>
+            <translation>Die Schleifen laufen ohne Echtzeitpriorität</translation>
+        </message>
+        <message>
+            <source>The loops run with real-time priority </source>
+            <translation>Die Schleifen laufen mit Echtzeitpriorität </translation>
         </message>
         <message>
             <source>The lowest x of the selected objects becomes that of the one selected last</source>
@@ -5698,6 +5926,10 @@ der Grenze rendern</translation>
         <message>
             <source>The motors are getting warm: if you press on as hard, the largest force falls within seconds to what they bear for ever. Press less, or let them rest.</source>
             <translation>Die Motoren werden warm: Wird weiter so stark gedrückt, sinkt die größte Kraft binnen Sekunden auf das, was sie dauerhaft aushalten. Weniger drücken oder sie ruhen lassen.</translation>
+        </message>
+        <message>
+            <source>The mouse leads one hand alone; connect a device first.</source>
+            <translation>Die Maus führt nur eine Hand; zuerst ein Gerät verbinden.</translation>
         </message>
         <message>
             <source>The mouse leads the simulated hand in the scene itself.</source>
@@ -5888,6 +6120,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Die Formen sind jetzt die von %1.%2 %3.</translation>
         </message>
         <message>
+            <source>The simulated hand is not there yet.</source>
+            <translation>Die simulierte Hand ist noch nicht da.</translation>
+        </message>
+        <message>
             <source>The stiffest visible surface of the scene, the bar; the mark is the ceiling.</source>
             <translation>Die steifste sichtbare Oberfläche der Szene, der Balken; die Marke ist die Steifigkeitsgrenze.</translation>
         </message>
@@ -5980,6 +6216,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Die Ansicht allein; Tab tut dasselbe, wenn die Ansicht den Fokus hat</translation>
         </message>
         <message>
+            <source>The view from there is no longer kept</source>
+            <translation>Die Ansicht von dort ist nicht mehr gespeichert</translation>
+        </message>
+        <message>
             <source>The view was written to %1.</source>
             <translation>Die Ansicht wurde nach %1 geschrieben.</translation>
         </message>
@@ -6014,6 +6254,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Theme</source>
             <translation>Design</translation>
+        </message>
+        <message>
+            <source>There are as many hands as can be; remove one first.</source>
+            <translation>Es gibt so viele Hände, wie es geben kann; zuerst eine entfernen.</translation>
         </message>
         <message>
             <source>There is a camera %1 already; View &gt; Camera &gt; Kept cameras &gt; Replace by this view makes it another one.</source>
@@ -6064,16 +6308,16 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Diese Taste beendet alle Kraft</translation>
         </message>
         <message>
-            <source>This device has no button that could be held</source>
-            <translation>Dieses Gerät hat keine Taste, die gehalten werden könnte</translation>
-        </message>
-        <message>
             <source>This device has no button that could be held.</source>
             <translation>Dieses Gerät hat keine Taste, die gehalten werden könnte.</translation>
         </message>
         <message>
             <source>This device has no button.</source>
             <translation>Dieses Gerät hat keine Taste.</translation>
+        </message>
+        <message>
+            <source>This device is in use already.</source>
+            <translation>Dieses Gerät ist schon in Gebrauch.</translation>
         </message>
         <message>
             <source>This machine has no audio output</source>
@@ -6126,6 +6370,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Tools</source>
             <translation>Werkzeuge</translation>
+        </message>
+        <message>
+            <source>Tools that have no room</source>
+            <translation>Werkzeuge, für die kein Platz ist</translation>
         </message>
         <message>
             <source>Torque against each radian a second.</source>
@@ -6392,6 +6640,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Was möchten Sie tun?</translation>
         </message>
         <message>
+            <source>What is chosen cannot be used; its row says why.</source>
+            <translation>Was gewählt ist, kann nicht benutzt werden; seine Zeile sagt, warum.</translation>
+        </message>
+        <message>
             <source>What is far away is as large as what is near</source>
             <translation>Fernes ist so groß wie Nahes</translation>
         </message>
@@ -6630,6 +6882,14 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Without conditions</source>
             <translation>Ohne Bedingungen</translation>
+        </message>
+        <message>
+            <source>Wood</source>
+            <translation>Holz</translation>
+        </message>
+        <message>
+            <source>Wood on wood</source>
+            <translation>Holz auf Holz</translation>
         </message>
         <message>
             <source>Wood, metal, ...</source>
@@ -7104,6 +7364,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>angehalten</translation>
         </message>
         <message>
+            <source>plays a finger path: tactum touch SCENE --path FINGER.csv</source>
+            <translation>spielt einen Fingerweg: tactum touch SCENE --path FINGER.csv</translation>
+        </message>
+        <message>
             <source>potential</source>
             <translation>potenziell</translation>
         </message>
@@ -7126,6 +7390,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>questions: "%1" begins with no kind; write it as in the examples</source>
             <translation>Fragen: "%1" beginnt mit keiner Art; wie in den Beispielen schreiben</translation>
+        </message>
+        <message>
+            <source>recorded</source>
+            <translation>aufgenommen</translation>
         </message>
         <message>
             <source>recovering a scene</source>
@@ -7244,6 +7512,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>der Griff wird offenbar lockerer gehalten als unter Gerät &gt; Live gewählt</translation>
         </message>
         <message>
+            <source>the mouse moves it in the window; 3 degrees of freedom, 1 kHz</source>
+            <translation>die Maus bewegt sie im Fenster; 3 Freiheitsgrade, 1 kHz</translation>
+        </message>
+        <message>
             <source>the proxy loop did not answer</source>
             <translation>die Proxyschleife antwortete nicht</translation>
         </message>
@@ -7299,9 +7571,12 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <source>“%1” is not %2</source>
             <translation>„%1“ ist %2</translation>
         </message>
-        <message>
-            <source>⚠ %1 steps are not as recorded</source>
-            <translation>⚠ %1 Schritte nicht wie aufgenommen</translation>
+        <message numerus="yes">
+            <source>⚠ %n step(s) are not as recorded</source>
+            <translation>
+                <numerusform>⚠ %n Schritt nicht wie aufgenommen</numerusform>
+                <numerusform>⚠ %n Schritte nicht wie aufgenommen</numerusform>
+            </translation>
         </message>
         <message>
             <source>✓ the same bits as recorded</source>

@@ -5,6 +5,7 @@
 #include <QLocale>
 
 #include "ui/base/preferences.h"
+#include "ui/base/words.h"
 
 // Outside of any namespace, as Qt wants it.
 static void initTranslations() {
@@ -21,16 +22,23 @@ constexpr auto kContext = "Tactum";
 QString chosenCode() {
     switch (Preferences::instance().choice<LanguageChoice>(Preferred::Language)) {
     case LanguageChoice::English:
-        return {};
+        return QStringLiteral("en");
     case LanguageChoice::German:
         return QStringLiteral("de");
     case LanguageChoice::System:
         break;
     }
-    return QLocale::system().language() == QLocale::German ? QStringLiteral("de") : QString();
+    return QLocale::system().language() == QLocale::German ? QStringLiteral("de") : QStringLiteral("en");
 }
 
 } // namespace
+
+QString wordsInside(std::string_view english, std::span<const std::string_view> parts) {
+    QString text = asIs(english);
+    for (const std::string_view part : parts)
+        text.replace(asIs(part), wordsOf(part));
+    return text;
+}
 
 bool Language::begin(const QString& code) {
     initTranslations();
@@ -43,7 +51,6 @@ QString Language::translate(const char*, const char* english, const char* commen
 
 void applyLanguage() {
     const QString code = chosenCode();
-    if (code.isEmpty()) return;
     static QTranslator qt;
     if (qt.load(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(&qt);

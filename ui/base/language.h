@@ -1,6 +1,9 @@
 // The language of the window.
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include <QTranslator>
 
 namespace tactum {
@@ -18,8 +21,12 @@ public:
     bool isEmpty() const override { return false; }
 };
 
+/// A sentence that is made of such parts (see wordsOf()) and of what is the same in every language. Thread:
+/// ui.
+QString wordsInside(std::string_view english, std::span<const std::string_view> parts);
+
 /// Installs the language that the person chose, with Qt's own words for its dialogs, before any widget is
-/// made. English needs nothing.
+/// made. English has words of its own where they depend on a number: "1 trial", "2 trials".
 void applyLanguage();
 
 } // namespace tactum

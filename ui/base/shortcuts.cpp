@@ -1,5 +1,8 @@
 #include "ui/base/shortcuts.h"
 
+#include <algorithm>
+#include <string_view>
+
 #include <QMenu>
 #include <QMenuBar>
 
@@ -430,6 +433,8 @@ constexpr Manner kManners[] = {
     {"Hold Esc for half a second", "forces off"},
 };
 
+constexpr auto kWhyNot = "why-not";
+
 QList<QKeySequence> keysOf(const Command& command) {
     QList<QKeySequence> keys;
     for (const QString& part :
@@ -479,6 +484,19 @@ Actions::Actions(QObject* parent) : QObject(parent) {
 
 QAction& Actions::operator[](const char* id) const {
     return *actions_.at(id);
+}
+
+void Actions::allow(const char* id, const QString& whyNot) const {
+    QAction& action = *actions_.at(id);
+    action.setEnabled(whyNot.isEmpty());
+    action.setProperty(kWhyNot, whyNot);
+    const auto command = std::ranges::find(kCommands, std::string_view(id), &Command::id);
+    action.setToolTip(whyNot.isEmpty() ? tooltipOf(*command) : whyNot);
+}
+
+QString Actions::whyNot(const QString& id) const {
+    const QAction& action = *actions_.at(id.toStdString());
+    return action.isEnabled() ? QString() : action.property(kWhyNot).toString();
 }
 
 void Actions::fill(QMenuBar& bar) const {

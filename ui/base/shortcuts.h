@@ -40,6 +40,10 @@ public:
 
     /// By the row's id, which must exist.
     QAction& operator[](const char* id) const;
+    /// On with what it does as its tool tip, or off with the sentence why.
+    void allow(const char* id, const QString& whyNot) const;
+    /// That sentence; empty where nobody gave one, or while it is on.
+    QString whyNot(const QString& id) const;
     /// All actions under their menus, in the order of the table.
     void fill(QMenuBar& bar) const;
     /// The icons in the colours of the theme that is on.

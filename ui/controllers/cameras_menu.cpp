@@ -60,15 +60,18 @@ void CamerasMenu::fill(QMenu& menu) {
     menu.addSeparator();
     menu.addAction(&bench_.actions["camera-keep"]);
     const bool live = !bench_.playback.active();
-    addNamesMenu(menu, tr("Replace by this view"), "camera-replace", all, live,
-                 [this](const QString& name) { put(tr("Replace the view %1").arg(name), name); });
-    addNamesMenu(menu, tr("Rename the camera"), "camera-rename", all, live,
-                 [this](const QString& name) { rename(name); });
-    addNamesMenu(menu, tr("Remove the camera"), "camera-remove", all, live, [this](const QString& name) {
-        bench_.document.editScene(tr("Remove the view %1").arg(name), SceneChange::What::Names,
-                                  [&](Scene& scene) { removeCamera(scene, name.toStdString()); });
-    });
+    for (const Verb& verb : verbs())
+        addNamesMenu(menu, verb.text, verb.id, all, live, verb.does);
     giveMnemonics(menu);
+}
+
+std::vector<CamerasMenu::Verb> CamerasMenu::verbs() {
+    return {{"camera-replace", tr("Replace by this view"), tr("The camera looks from here from now on"),
+             [this](const QString& name) { put(tr("Replace the view %1").arg(name), name); }},
+            {"camera-rename", tr("Rename the camera"), tr("The camera under another name"),
+             [this](const QString& name) { rename(name); }},
+            {"camera-remove", tr("Remove the camera"), tr("The view from there is no longer kept"),
+             [this](const QString& name) { remove(name); }}};
 }
 
 void CamerasMenu::show(const QString& name) {
@@ -78,8 +81,11 @@ void CamerasMenu::show(const QString& name) {
     bench_.view.flyTo(viewOf(*saved, bench_.view.camera()));
 }
 
-QString CamerasMenu::askFor(const QString& title, const QString& now) {
-    return askForName(&bench_.window, title, tr("Name of the camera"), now);
+/// `taken`: what is said of a name that another one has, which is its %1.
+QString CamerasMenu::askFor(const QString& title, const QString& now, const QString& taken) {
+    return askForName(&bench_.window, title, tr("Name of the camera"), now, [&](const QString& name) {
+        return name != now && names().contains(name) ? taken.arg(name) : QString();
+    });
 }
 
 void CamerasMenu::keep() {
@@ -88,14 +94,10 @@ void CamerasMenu::keep() {
     if (taken.size() >= int(kMaxCameras))
         return bench_.notice.showError(
             tr("A scene can have %1 cameras; remove one that is not used.").arg(kMaxCameras));
-    const QString name = askFor(tr("Keep this view"), nextName(tr("View %1"), taken));
-    if (name.isEmpty()) return;
-    if (taken.contains(name))
-        return bench_.notice.showNote(
-            tr("There is a camera %1 already; View > Camera > Kept cameras > Replace by "
-               "this view makes it another one.")
-                .arg(name));
-    put(tr("Keep the view %1").arg(name), name);
+    const QString name = askFor(tr("Keep this view"), nextName(tr("View %1"), taken),
+                                tr("There is a camera %1 already; View > Camera > Kept cameras > Replace by "
+                                   "this view makes it another one."));
+    if (!name.isEmpty()) put(tr("Keep the view %1").arg(name), name);
 }
 
 void CamerasMenu::put(const QString& text, const QString& name) {
@@ -105,13 +107,17 @@ void CamerasMenu::put(const QString& text, const QString& name) {
 }
 
 void CamerasMenu::rename(const QString& name) {
-    const QString other = askFor(tr("Rename the camera"), name);
+    const QString other =
+        askFor(tr("Rename the camera"), name, tr("There is a camera %1 already; choose another name."));
     if (other.isEmpty() || other == name) return;
-    if (names().contains(other))
-        return bench_.notice.showNote(tr("There is a camera %1 already; choose another name.").arg(other));
     bench_.document.editScene(tr("Rename to %1").arg(other), SceneChange::What::Names, [&](Scene& scene) {
         renameCamera(scene, name.toStdString(), other.toStdString());
     });
+}
+
+void CamerasMenu::remove(const QString& name) {
+    bench_.document.editScene(tr("Remove the view %1").arg(name), SceneChange::What::Names,
+                              [&](Scene& scene) { removeCamera(scene, name.toStdString()); });
 }
 
 } // namespace tactum

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include <QObject>
 #include <QStringList>
@@ -17,7 +18,16 @@ namespace tactum {
 class CamerasMenu : public QObject {
     Q_OBJECT
 public:
+    /// What can be done with each of them; not while a recording is shown.
+    struct Verb {
+        const char* id;
+        QString text, sentence;
+        std::function<void(const QString& name)> does;
+    };
+
     explicit CamerasMenu(const Workbench& bench);
+
+    std::vector<Verb> verbs();
 
     /// Of all there are, in their order.
     QStringList names() const;
@@ -27,8 +37,9 @@ public:
 private:
     void addKeys();
     void fill(QMenu& menu);
-    QString askFor(const QString& title, const QString& now);
+    QString askFor(const QString& title, const QString& now, const QString& taken);
     void keep();
+    void remove(const QString& name);
     void put(const QString& text, const QString& name);
     void rename(const QString& name);
 

@@ -6,7 +6,7 @@ namespace tactum {
 
 namespace {
 
-/// Why a command can be off, where there is one reason alone.
+/// Why a command can be off, where there is one reason alone and whoever switches it off gives none.
 struct Reason {
     const char* id;
     const char* sentence;
@@ -29,17 +29,9 @@ constexpr Reason kReasons[] = {
     {"undo", QT_TR_NOOP("There is no edit to take back.")},
     {"redo", QT_TR_NOOP("No edit was taken back.")},
     {"stop", QT_TR_NOOP("The forces are off already.")},
-    {"dead-man", QT_TR_NOOP("This device has no button that could be held.")},
-    {"device-connect", QT_TR_NOOP("No other device is chosen in the dock Device that can be used.")},
-    {"device-disconnect", QT_TR_NOOP("No device is connected.")},
-    {"hand-add", QT_TR_NOOP("No device is chosen in the dock Device that no hand has, or there are as many "
-                            "hands as there can be.")},
     {"hand-next", QT_TR_NOOP("There is one hand.")},
     {"hand-remove", QT_TR_NOOP("The first hand is chosen, which always is there; Disconnect gives its "
                                "device back.")},
-    {"workspace-centre", QT_TR_NOOP("The mouse leads the simulated hand in the scene itself.")},
-    {"workspace-fit", QT_TR_NOOP("The mouse leads the simulated hand in the scene itself.")},
-    {"workspace-axes", QT_TR_NOOP("The mouse leads the simulated hand in the scene itself.")},
     {"trial-end", QT_TR_NOOP("The scene is felt already.")},
     {"preset-apply", QT_TR_NOOP("No preset is chosen in the library, or no surface is selected.")},
     {"preset-save", QT_TR_NOOP("No surface is selected.")},

@@ -2,11 +2,15 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
 
 #include <cmath>
 #include <limits>
 
+#include "ui/base/words.h"
 #include "ui/controllers/arming.h"
+#include "ui/controllers/command_reasons.h"
 #include "ui/controllers/folds.h"
 #include "ui/document/document.h"
 #include "ui/engine/device_link.h"
@@ -36,6 +40,7 @@ DeviceController::DeviceController(const Workbench& bench, Arming& arming, Devic
     connectWorkspace();
     connect(&panel, &DevicePanel::armPressed, &arming, &Arming::set);
     hand.setIdle(link.connected());
+    bench.window.menuBar()->findChild<QMenu*>(QStringLiteral("Device"))->setToolTipsVisible(true);
     showSettings();
     showCommands();
 }
@@ -119,7 +124,7 @@ void DeviceController::showHands() {
     Hands& hands = link_.hands();
     const auto markOf = [&](std::size_t hand) {
         return HandMark{.number = hand,
-                        .name = QString::fromStdString(hands.device(hand).name),
+                        .name = wordsOf(hands.device(hand).name),
                         .led = link_.simulatedHand() == hand || hands.count() == 1};
     };
     std::vector<HandBeside> beside;
@@ -274,14 +279,17 @@ void DeviceController::sayAway(const QString& more) {
 void DeviceController::showCommands() {
     const bool leadsItself = link_.leadsItself(link_.hands().chosen());
     const bool live = !bench_.playback.active();
+    const QString shown = live ? QString() : whyOff({}, true);
     const std::size_t hands = live ? link_.hands().count() : bench_.playback.player().run().hands();
-    bench_.actions["hand-add"].setEnabled(live && link_.mayAdd(panel_.connecting().chosen()));
+    bench_.actions.allow("hand-add", live ? link_.whyNotAdd(panel_.connecting().chosen()) : shown);
     bench_.actions["hand-next"].setEnabled(hands > 1);
     bench_.actions["hand-remove"].setEnabled(live && link_.hands().chosen() > 0);
-    bench_.actions["device-connect"].setEnabled(link_.mayBegin(panel_.connecting().chosen()));
-    bench_.actions["device-disconnect"].setEnabled(link_.mayLetGo());
+    bench_.actions.allow("device-connect", panel_.connecting().whyNotConnect());
+    bench_.actions.allow("device-disconnect", link_.whyNotLetGo());
+    const QString whyNot =
+        !live || leadsItself ? shown : tr("The mouse leads the simulated hand in the scene itself.");
     for (const char* id : {"workspace-centre", "workspace-fit", "workspace-axes"})
-        bench_.actions[id].setEnabled(leadsItself && live);
+        bench_.actions.allow(id, whyNot);
 }
 
 } // namespace tactum

@@ -95,15 +95,9 @@ void HealthController::restoreDeadMan() {
     int buttons = 0;
     for (std::size_t hand = 0; hand < hands.count(); ++hand)
         buttons += hands.device(hand).buttons;
-    if (buttons == 0) {
-        action.setEnabled(false);
-        action.setToolTip(tr("This device has no button that could be held"));
-        return;
-    }
-    action.setEnabled(true);
-    action.setToolTip(
-        tr("Force only while a button of the device is held. Of the simulated hand: while the mouse "
-           "holds the finger"));
+    bench_.actions.allow("dead-man",
+                         buttons > 0 ? QString() : tr("This device has no button that could be held."));
+    if (buttons == 0) return;
     action.setChecked(QSettings().value(deadManKey()).toBool());
     hands.setDeadMan(action.isChecked());
 }

@@ -1,12 +1,46 @@
 #include "ui/controllers/kept_names.h"
 
+#include <utility>
+
 #include <QInputDialog>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 
 #include "core/base/text.h"
 #include "ui/base/words.h"
 
 namespace tactum {
+
+namespace {
+
+/// Stays open over a name that cannot be: what was typed is not lost.
+class NameDialog final : public QInputDialog {
+public:
+    NameDialog(QWidget* parent, const QString& label, std::function<QString(const QString&)> whyNot)
+        : QInputDialog(parent), label_(label), whyNot_(std::move(whyNot)) {
+        setLabelText(label);
+        auto* words = findChild<QLabel*>();
+        words->setTextFormat(Qt::PlainText); // a name may be in it
+        words->setWordWrap(true);
+        words->setMinimumWidth(kNameWidth);
+    }
+    QString name() const { return asIs(printable(textValue().trimmed().toStdString(), kLongestName)); }
+    void done(int result) override {
+        const QString why = result == Accepted && !name().isEmpty() ? whyNot_(name()) : QString();
+        if (why.isEmpty()) return QInputDialog::done(result);
+        setLabelText(label_ + u'\n' + why);
+        findChild<QLineEdit*>()->setFocus();
+    }
+
+private:
+    static constexpr int kNameWidth = 320;
+
+    QString label_;
+    std::function<QString(const QString&)> whyNot_;
+};
+
+} // namespace
 
 QString inMenu(const QString& name) {
     constexpr int kMost = 60; // letters: a menu is no wider than a screen
@@ -30,10 +64,12 @@ QString nextName(const QString& pattern, const QStringList& taken) {
     return pattern.arg(number);
 }
 
-QString askForName(QWidget* parent, const QString& title, const QString& label, const QString& now) {
-    bool agreed = false;
-    const QString name = QInputDialog::getText(parent, title, label, QLineEdit::Normal, now, &agreed);
-    return agreed ? asIs(printable(name.trimmed().toStdString(), kLongestName)) : QString();
+QString askForName(QWidget* parent, const QString& title, const QString& label, const QString& now,
+                   const std::function<QString(const QString&)>& whyNot) {
+    NameDialog dialog(parent, label, whyNot);
+    dialog.setWindowTitle(title);
+    dialog.setTextValue(now);
+    return dialog.exec() == QDialog::Accepted ? dialog.name() : QString();
 }
 
 } // namespace tactum

@@ -18,7 +18,9 @@ void addNamesMenu(QMenu& menu, const QString& verb, const char* id, const QStrin
                   const std::function<void(const QString&)>& does);
 /// "View 3": the first number that no name has; `pattern` has its place as %1.
 QString nextName(const QString& pattern, const QStringList& taken);
-/// Asks for one that can be shown anywhere. Empty when the person thinks better of it.
-QString askForName(QWidget* parent, const QString& title, const QString& label, const QString& now);
+/// Asks for one that can be shown anywhere. Empty when the person thinks better of it. `whyNot`: a sentence
+/// where that name cannot be, which is said beside what was typed; empty: it can.
+QString askForName(QWidget* parent, const QString& title, const QString& label, const QString& now,
+                   const std::function<QString(const QString&)>& whyNot);
 
 } // namespace tactum

@@ -100,7 +100,7 @@ void PaintController::fillStrip(const QList<QAction*>& goals, const QList<QActio
         show();
         strip_.addField(field);
     }
-    strip_.addStretch();
+    strip_.addGap();
 }
 
 } // namespace tactum

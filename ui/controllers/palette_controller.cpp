@@ -62,6 +62,12 @@ void PaletteController::addButton() {
     bench_.window.menuBar()->setCornerWidget(search);
 }
 
+QString PaletteController::whyNot(const QAction& action) const {
+    if (action.isEnabled()) return {};
+    const QString given = bench_.actions.whyNot(action.objectName());
+    return given.isEmpty() ? whyOff(action.objectName(), bench_.playback.active()) : given;
+}
+
 void PaletteController::open() {
     std::vector<PaletteEntry> entries;
     for (const Command& command : commands()) {
@@ -70,8 +76,7 @@ void PaletteController::open() {
         if (id == QLatin1String("palette")) continue;
         entries.push_back({id, plain(action.text()), menuPath(command.menu),
                            action.shortcut().toString(QKeySequence::NativeText), tr(command.sentence),
-                           action.isEnabled() ? QString() : whyOff(id, bench_.playback.active()),
-                           [&action] { action.trigger(); }});
+                           whyNot(action), [&action] { action.trigger(); }});
     }
     addPanels(entries);
     addSurfaces(entries);
@@ -83,14 +88,7 @@ void PaletteController::open() {
                            tr("The triangles that are kept under this name"),
                            bench_.playback.active() ? whyOff({}, true) : QString(),
                            [this, name] { sets_.select(name); }});
-    for (const QString& name : cameras_.names())
-        entries.push_back({{},
-                           tr("Look from %1").arg(name),
-                           tr("View"),
-                           {},
-                           tr("The camera that is kept under this name"),
-                           {},
-                           [this, name] { cameras_.show(name); }});
+    addCameras(entries);
     for (const QString& file : recentFiles())
         entries.push_back({{},
                            tr("Open recent %1").arg(QFileInfo(file).fileName()),
@@ -104,6 +102,28 @@ void PaletteController::open() {
         return bench_.playback.active() ? std::vector<PaletteEntry>() : valueEntries(bench_.document, typed);
     });
     palette->open();
+}
+
+void PaletteController::addCameras(std::vector<PaletteEntry>& entries) {
+    const QString menu = menuPath("View/&Camera/&Kept cameras");
+    const QString reason = bench_.playback.active() ? whyOff({}, true) : QString();
+    for (const QString& name : cameras_.names()) {
+        entries.push_back({{},
+                           tr("Look from %1").arg(name),
+                           menu,
+                           {},
+                           tr("The camera that is kept under this name"),
+                           {},
+                           [this, name] { cameras_.show(name); }});
+        for (const CamerasMenu::Verb& verb : cameras_.verbs())
+            entries.push_back({{},
+                               tr("%1: %2").arg(verb.text, name),
+                               menu,
+                               {},
+                               verb.sentence,
+                               reason,
+                               [does = verb.does, name] { does(name); }});
+    }
 }
 
 void PaletteController::addPanels(std::vector<PaletteEntry>& entries) {

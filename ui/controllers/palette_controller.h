@@ -30,6 +30,8 @@ signals:
 private:
     void addButton();
     void open();
+    QString whyNot(const QAction& action) const;
+    void addCameras(std::vector<PaletteEntry>& entries);
     void addPanels(std::vector<PaletteEntry>& entries);
     void addSurfaces(std::vector<PaletteEntry>& entries);
 

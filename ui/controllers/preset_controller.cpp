@@ -88,7 +88,7 @@ void PresetController::showCommands() {
 }
 
 void PresetController::applyTo(const SurfaceRefs& surfaces, const Preset& preset) {
-    const QString name = QString::fromStdString(preset.name);
+    const QString name = shownName(preset, store_->presets());
     if (applyPreset(bench_.document, surfaces, preset, store_->presets())) return;
     bool locked = false;
     for (const SurfaceRef ref : surfaces)
@@ -110,8 +110,8 @@ void PresetController::applyChosen() {
     const StoredPreset* stored = library_->chosen();
     if (!stored || bench_.playback.active()) return;
     if (!bench_.document.selection())
-        return bench_.notice.showNote(tr("Select the surfaces that are to feel like %1, or drag it onto one.")
-                                          .arg(QString::fromStdString(stored->preset.name)));
+        return bench_.notice.showNote(
+            tr("Select the surfaces that are to feel like %1, or drag it onto one.").arg(stored->name()));
     applyTo(bench_.document.selected(), stored->preset);
 }
 

@@ -149,7 +149,7 @@ void SelectController::fillStrip(ToolStrip& strip, SelectionSetsMenu& sets) {
     strip.addAction(&bench_.actions["through"], tr("Through"));
     strip.addField(sets.makeButton());
     strip.addField(new SelectionCount(bench_.document));
-    strip.addStretch();
+    strip.addGap();
     QList<QAction*> changes;
     for (const char* id : {"split", "merge", "invert", "grow", "shrink"})
         changes << &bench_.actions[id];

@@ -67,21 +67,21 @@ void SelectionSetsMenu::addVerb(QMenu& menu, const QString& verb, const char* id
                  [this, does](const QString& name) { (this->*does)(name); });
 }
 
-QString SelectionSetsMenu::askFor(const QString& title, const QString& now) {
-    return askForName(&bench_.window, title, tr("Name of the set"), now);
+/// `taken`: what is said of a name that another one has, which is its %1.
+QString SelectionSetsMenu::askFor(const QString& title, const QString& now, const QString& taken) {
+    return askForName(&bench_.window, title, tr("Name of the set"), now, [&](const QString& name) {
+        return name != now && names().contains(name) ? taken.arg(name) : QString();
+    });
 }
 
 void SelectionSetsMenu::keep() {
     if (bench_.playback.active()) return;
     if (bench_.document.selectedTriangles().empty())
         return bench_.notice.showNote(tr("Select what is to be kept first: surfaces, or triangles (Q)."));
-    const QStringList taken = names();
-    const QString name = askFor(tr("Keep the selection"), nextName(tr("Set %1"), taken));
-    if (name.isEmpty()) return;
-    if (taken.contains(name))
-        return bench_.notice.showNote(
-            tr("There is a set %1 already; Sets > Replace by the selection makes it another one.").arg(name));
-    replace(name);
+    const QString name =
+        askFor(tr("Keep the selection"), nextName(tr("Set %1"), names()),
+               tr("There is a set %1 already; Sets > Replace by the selection makes it another one."));
+    if (!name.isEmpty()) replace(name);
 }
 
 void SelectionSetsMenu::select(const QString& name) {
@@ -107,10 +107,9 @@ void SelectionSetsMenu::replace(const QString& name) {
 }
 
 void SelectionSetsMenu::rename(const QString& name) {
-    const QString other = askFor(tr("Rename the set"), name);
+    const QString other =
+        askFor(tr("Rename the set"), name, tr("There is a set %1 already; choose another name."));
     if (other.isEmpty() || other == name) return;
-    if (names().contains(other))
-        return bench_.notice.showNote(tr("There is a set %1 already; choose another name.").arg(other));
     edit(tr("Rename to %1").arg(other),
          [&](Scene& scene) { renameSet(scene, name.toStdString(), other.toStdString()); });
 }

@@ -34,7 +34,7 @@ private:
 
     void fill(QMenu& menu);
     void addVerb(QMenu& menu, const QString& verb, const char* id, bool possible, Does does);
-    QString askFor(const QString& title, const QString& now);
+    QString askFor(const QString& title, const QString& now, const QString& taken);
     void keep();
     void add(const QString& name);
     void replace(const QString& name);

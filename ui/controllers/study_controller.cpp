@@ -241,6 +241,7 @@ void StudyController::hideAll() {
     for (QWidget* each :
          {static_cast<QWidget*>(window.menuBar()),
           static_cast<QWidget*>(window.findChild<QToolBar*>(QStringLiteral("tools"))),
+          static_cast<QWidget*>(window.findChild<QToolBar*>(QStringLiteral("forces"))),
           static_cast<QWidget*>(window.statusBar()), static_cast<QWidget*>(window.findChild<ImportBar*>())})
         if (each->isVisible()) {
             each->hide();

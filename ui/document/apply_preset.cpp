@@ -17,7 +17,7 @@ bool applyPreset(Document& document, const SurfaceRefs& refs, const Preset& pres
         if (const Surface* now = document.surface(ref))
             if (!now->locked && !(given(*now) == *now)) changing.push_back(ref);
     if (changing.empty()) return false;
-    const QString name = QString::fromStdString(preset.name);
+    const QString name = shownName(preset, library);
     // Each part is announced as what it is: a World follows values at once, normals take a worker.
     document.history().beginMacro(Document::tr("Preset %1").arg(name));
     const auto edit = [&](bool sets, What what, auto change) {

@@ -1,6 +1,7 @@
 #include "ui/document/preset_store.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <QDir>
 #include <QFile>
@@ -25,6 +26,7 @@ namespace {
 constexpr int kPresetPicture = 80; // device pixels: sharp on a screen of twice the dots
 constexpr int kSettle = 150;       // ms
 constexpr const char* kAside = ".removed";
+const QString kShipped = QStringLiteral(":/presets");
 
 std::filesystem::path presetPathOf(const QString& file) {
     return std::filesystem::path(file.toStdU16String());
@@ -43,7 +45,7 @@ Result<LoadedPreset> presetIn(const QString& file) {
 
 StoredPreset stored(const QString& file, const Preset& preset, bool own) {
     StoredPreset made{file, own, preset, QString::fromStdString(presetText(preset)), {}, {}};
-    QStringList words{QString::fromStdString(preset.name), QString::fromStdString(preset.category)};
+    QStringList words{asIs(preset.name), asIs(preset.category), made.name(), made.category()};
     for (const std::string& tag : preset.tags)
         words << QString::fromStdString(tag);
     for (const auto& [key, source] : preset.sources)
@@ -76,11 +78,11 @@ Loaded loadAll(const Progress& progress) {
         }
     };
     add(PresetStore::folder(), true);
-    add(QStringLiteral(":/presets"), false);
+    add(kShipped, false);
     std::ranges::stable_sort(loaded.presets, [](const StoredPreset& a, const StoredPreset& b) {
         if (a.own != b.own) return a.own;
-        if (a.preset.category != b.preset.category) return a.preset.category < b.preset.category;
-        return a.preset.name < b.preset.name;
+        if (a.category() != b.category()) return QString::localeAwareCompare(a.category(), b.category()) < 0;
+        return QString::localeAwareCompare(a.name(), b.name()) < 0;
     });
     return loaded;
 }
@@ -98,7 +100,21 @@ Result<LoadedPreset> foreignPreset(const QString& file) {
                                                                       : readPreset(presetPathOf(file));
 }
 
+std::vector<Preset> readFrom(const QString& folder) {
+    std::vector<Preset> presets;
+    for (const QFileInfo& file : QDir(folder).entryInfoList({u'*' + dottedEnding()}, QDir::Files, QDir::Name))
+        if (auto read = presetIn(file.filePath())) presets.push_back(std::move(read->preset));
+    return presets;
+}
+
 } // namespace
+
+QString shownName(const Preset& preset, const std::vector<StoredPreset>& library) {
+    const bool shipped = std::ranges::any_of(library, [&](const StoredPreset& stored) {
+        return !stored.own && stored.preset.name == preset.name;
+    });
+    return shipped ? wordsOf(preset.name) : asIs(preset.name);
+}
 
 bool matches(const StoredPreset& stored, const QString& search) {
     return std::ranges::all_of(search.toCaseFolded().split(u' ', Qt::SkipEmptyParts),
@@ -124,13 +140,22 @@ QString PresetStore::folder() {
 }
 
 std::vector<Preset> PresetStore::readAll() {
-    initPresets();
-    std::vector<Preset> presets;
-    for (const QString& folder : {PresetStore::folder(), QStringLiteral(":/presets")})
-        for (const QFileInfo& file :
-             QDir(folder).entryInfoList({u'*' + dottedEnding()}, QDir::Files, QDir::Name))
-            if (auto read = presetIn(file.filePath())) presets.push_back(std::move(read->preset));
+    std::vector<Preset> presets = readFrom(folder());
+    std::ranges::move(readShipped(), std::back_inserter(presets));
     return presets;
+}
+
+std::vector<Preset> PresetStore::readShipped() {
+    initPresets();
+    return readFrom(kShipped);
+}
+
+QString StoredPreset::name() const {
+    return own ? asIs(preset.name) : wordsOf(preset.name);
+}
+
+QString StoredPreset::category() const {
+    return own ? asIs(preset.category) : wordsOf(preset.category);
 }
 
 const StoredPreset* PresetStore::find(const QString& file) const {

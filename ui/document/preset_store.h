@@ -20,8 +20,14 @@ struct StoredPreset {
     QString text;  ///< of the file
     QString words; ///< what a search looks through, in lower case
     QImage picture;
+
+    // For the person: in the language that is on, where it is one of the program's.
+    QString name() const;
+    QString category() const;
 };
 
+/// What a preset is called for the person: in the language that is on where it is one of the program's.
+QString shownName(const Preset& preset, const std::vector<StoredPreset>& library);
 /// Whether each word of the search is in the preset's words.
 bool matches(const StoredPreset& stored, const QString& search);
 
@@ -39,6 +45,8 @@ public:
     /// What there is to be read now, without a store: the presets that come with the program, and the user's
     /// own. Thread: any but real time.
     static std::vector<Preset> readAll();
+    /// Those that come with the program alone. Thread: likewise.
+    static std::vector<Preset> readShipped();
     bool loading() const { return job_.running() || reading_.running(); }
 
     /// Writes a preset into the folder, under a name that is free. Empty when it fails, which it says.

@@ -127,7 +127,7 @@ bool DeviceLink::isLost(std::size_t hand) {
 }
 
 void DeviceLink::lose(std::size_t hand) {
-    const QString name = QString::fromStdString(hands_.device(hand).name);
+    const QString name = wordsOf(hands_.device(hand).name);
     used_[hand].gone = true;
     if (hand == 0) {
         lostName_ = name;
@@ -192,9 +192,18 @@ void DeviceLink::choose(QString id) {
     if (connected() || !engine_.running()) park();
 }
 
-bool DeviceLink::mayBegin(const QString& id) const {
-    if (id.isEmpty() || preparing()) return false;
-    return id == current() ? connected() && !hands_.trouble(0).empty() : !uses(id) || id == kSimulatedDevice;
+QString DeviceLink::whyNotBegin(const QString& id) const {
+    if (id.isEmpty()) return tr("No device is chosen.");
+    if (preparing()) return whyWhilePreparing();
+    if (id == current())
+        return connected() && !hands_.trouble(0).empty() ? QString() : tr("This device is in use already.");
+    const bool free = !uses(id) || id == kSimulatedDevice;
+    return free ? QString() : tr("Another hand has this device; remove that hand first.");
+}
+
+QString DeviceLink::whyNotLetGo() const {
+    const bool any = catalogue_ && (connected() || preparing() || wanted_ != kSimulatedDevice);
+    return any ? QString() : tr("No device is connected.");
 }
 
 void DeviceLink::tryAgain() {

@@ -82,16 +82,17 @@ public:
     bool preparing() const { return preparation_.state == Preparation::State::Running; }
     const Preparation& preparation() const { return preparation_; }
 
-    /// Whether choose() would make it ready: another one than the current, or the current one when it is in
+    // Why not, one sentence for the person; empty: it may be done. An empty `id` is no device.
+    /// Why choose() would not make it ready: another one than the current, or the current one when it is in
     /// trouble.
-    bool mayBegin(const QString& id) const;
-    /// Whether choosing the simulated device would change anything.
-    bool mayLetGo() const {
-        return catalogue_ && (connected() || preparing() || wanted_ != kSimulatedDevice);
-    }
-    /// Whether add() would make it ready: no hand has it, and there is room for one more. The simulated one
+    QString whyNotBegin(const QString& id) const;
+    /// Why choosing the simulated device would change nothing.
+    QString whyNotLetGo() const;
+    /// Why add() would not make it ready: a hand has it, or there is no room for one more. The simulated one
     /// only beside a device that leads itself.
-    bool mayAdd(const QString& id) const;
+    QString whyNotAdd(const QString& id) const;
+    bool mayBegin(const QString& id) const { return whyNotBegin(id).isEmpty(); }
+    bool mayAdd(const QString& id) const { return whyNotAdd(id).isEmpty(); }
     /// Makes it ready as one more hand; the simulated one at once. Whoever asks has switched the forces off.
     void add(const QString& id);
     /// Without this hand, one beside the first, which is not brought back. Forces of all are off then.
@@ -157,6 +158,7 @@ private:
     class Watch;
     using Made = std::shared_ptr<std::unique_ptr<HapticDevice>>;
 
+    static QString whyWhilePreparing();
     void list();
     void listed(std::vector<DeviceListing> found, const Made& spare);
     bool isLost(std::size_t hand);

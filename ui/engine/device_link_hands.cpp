@@ -16,9 +16,18 @@ QString besideKey() {
 
 } // namespace
 
-bool DeviceLink::mayAdd(const QString& id) const {
-    const bool ready = id != kSimulatedDevice || (connected() && spare_);
-    return catalogue_ && !id.isEmpty() && !preparing() && !uses(id) && hands_.mayAdd() && ready;
+QString DeviceLink::whyNotAdd(const QString& id) const {
+    if (id.isEmpty() || !catalogue_) return tr("No device is chosen.");
+    if (preparing()) return whyWhilePreparing();
+    if (uses(id)) return tr("A hand has this device already.");
+    if (!hands_.mayAdd()) return tr("There are as many hands as can be; remove one first.");
+    if (id == kSimulatedDevice && !connected())
+        return tr("The mouse leads one hand alone; connect a device first.");
+    return id == kSimulatedDevice && !spare_ ? tr("The simulated hand is not there yet.") : QString();
+}
+
+QString DeviceLink::whyWhilePreparing() {
+    return tr("A device is being made ready; wait for it, or give it up.");
 }
 
 void DeviceLink::add(const QString& id) {

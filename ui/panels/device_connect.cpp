@@ -13,6 +13,7 @@
 #include <QSignalBlocker>
 
 #include "ui/base/style.h"
+#include "ui/base/words.h"
 #include "ui/engine/device_link.h"
 #include "ui/panels/device_steps.h"
 #include "ui/widgets/columns.h"
@@ -53,8 +54,7 @@ protected:
 
 QString deviceLineOf(const DeviceLink& link, const DeviceListing& listing) {
     const QString id = QString::fromStdString(listing.id);
-    const QString name = QString::fromStdString(listing.name);
-    const QString sentence = QString::fromStdString(listing.sentence);
+    const QString name = wordsOf(listing.name), sentence = wordsOf(listing.sentence);
     if (!id.isEmpty() && link.uses(id)) return DeviceConnect::tr("%1 \u00b7 in use\n%2").arg(name, sentence);
     if (!listing.usable && !id.isEmpty())
         return DeviceConnect::tr("%1 \u00b7 not usable\n%2").arg(name, sentence);
@@ -81,6 +81,12 @@ QString deviceWordOf(const DeviceListing& listing) {
     return QString::fromStdString(listing.lacks).section(QStringLiteral(" ("), 0, 0);
 }
 
+/// Its tool tip says what it does, or why it does nothing now.
+void allow(QPushButton& button, const QString& does, const QString& whyNot) {
+    button.setEnabled(whyNot.isEmpty());
+    button.setToolTip(whyNot.isEmpty() ? does : whyNot);
+}
+
 } // namespace
 
 bool wantsPermission(const DeviceLink& link) {
@@ -91,13 +97,11 @@ DeviceConnect::DeviceConnect(DeviceLink& link, QWidget* parent)
     : QWidget(parent), link_(link), list_(new DeviceList), connect_(new QPushButton(tr("Connect"))),
       disconnect_(new QPushButton(tr("Disconnect"))), add_(new QPushButton(tr("Add a device"))),
       permit_(new QPushButton(tr("Let me use devices"))), supply_(new QPushButton), sentence_(new QLabel),
-      command_(new QLineEdit), copy_(new QPushButton(tr("Copy"))), steps_(new DeviceSteps) {
+      server_(dimmedLine({})), command_(new QLineEdit), copy_(new QPushButton(tr("Copy"))),
+      steps_(new DeviceSteps) {
     connect_->setObjectName(QStringLiteral("device-connect-button"));
-    connect_->setToolTip(tr("Make the chosen device ready, step by step"));
     disconnect_->setObjectName(QStringLiteral("device-disconnect-button"));
-    disconnect_->setToolTip(tr("Give the device back; the mouse leads a simulated hand"));
     add_->setObjectName(QStringLiteral("device-add-button"));
-    add_->setToolTip(tr("Make the chosen device ready as one more hand; those that there are stay"));
     permit_->setObjectName(QStringLiteral("device-permit"));
     permit_->setToolTip(
         tr("Puts a rule for USB devices and limits for real time where the system looks for them, "
@@ -109,7 +113,11 @@ DeviceConnect::DeviceConnect(DeviceLink& link, QWidget* parent)
     command_->setAccessibleName(tr("Line for a terminal"));
     command_->setReadOnly(true);
     copy_->setObjectName(QStringLiteral("device-permit-copy"));
+    server_->setObjectName(QStringLiteral("device-at-server"));
+    server_->setTextFormat(Qt::PlainText); // names come from elsewhere
+    server_->hide();
     auto* column = columnIn(this, kRhythm);
+    column->addWidget(server_);
     column->addWidget(list_);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(connect_, 1);
@@ -158,6 +166,33 @@ QString DeviceConnect::chosen() const {
     return listing && listing->usable ? QString::fromStdString(listing->id) : QString();
 }
 
+QString DeviceConnect::whyNotConnect() const {
+    return whyNotOf(&DeviceLink::whyNotBegin);
+}
+
+QString DeviceConnect::whyNotOf(QString (DeviceLink::*why)(const QString&) const) const {
+    if (!server_->isHidden()) return tr("The device is at the haptic server, and is chosen there.");
+    const QTreeWidgetItem* row = list_->currentItem();
+    if (!row) return tr("Choose a device in the list first.");
+    const QString id = chosen();
+    return id.isEmpty() ? tr("What is chosen cannot be used; its row says why.") : (link_.*why)(id);
+}
+
+void DeviceConnect::showServer(const QString& place, const QString& device) {
+    server_->setText(
+        device.isEmpty()
+            ? tr("The haptic server %1 is not there, and the device is with it. Start it again: the window "
+                 "finds it by itself.")
+                  .arg(place)
+            : tr("%1 is at the haptic server %2. Which device that is is said where the server is started: "
+                 "tactum serve --device. One of this computer is connected in a window without a server.")
+                  .arg(device, place));
+    for (QWidget* each : std::initializer_list<QWidget*>{list_, connect_, disconnect_, add_})
+        each->hide();
+    server_->show();
+    follow();
+}
+
 void DeviceConnect::showCommand(const QString& sentence, const QString& command) {
     sentence_->setText(sentence);
     sentence_->setVisible(!sentence.isEmpty());
@@ -181,7 +216,7 @@ void DeviceConnect::fill() {
         for (const DeviceListing& listing : link_.devices()) {
             auto* row = new QTreeWidgetItem(list_, {deviceLineOf(link_, listing)});
             row->setIcon(0, deviceIconOf(link_, listing));
-            row->setToolTip(0, QString::fromStdString(listing.sentence));
+            row->setToolTip(0, wordsOf(listing.sentence));
             row->setData(0, kIdRole, QString::fromStdString(listing.id));
             if (!listing.id.empty() && QString::fromStdString(listing.id) == kept) list_->setCurrentItem(row);
         }
@@ -192,7 +227,7 @@ void DeviceConnect::fill() {
 
 void DeviceConnect::follow() {
     steps_->show(link_.preparation());
-    const bool wants = lacksRealTime_ || wantsPermission(link_);
+    const bool wants = server_->isHidden() && (lacksRealTime_ || wantsPermission(link_));
     permit_->setVisible(wants);
     if (!wants) showCommand({}, {});
     const DeviceListing* lacking = lackingOne(link_);
@@ -202,9 +237,10 @@ void DeviceConnect::follow() {
         supply_->setToolTip(tr("For the %1. Your copy is checked, and kept where the driver finds it")
                                 .arg(QString::fromStdString(lacking->name)));
     }
-    connect_->setEnabled(link_.mayBegin(chosen()));
-    disconnect_->setEnabled(link_.mayLetGo());
-    add_->setEnabled(link_.mayAdd(chosen()));
+    allow(*connect_, tr("Make the chosen device ready, step by step"), whyNotConnect());
+    allow(*disconnect_, tr("Give the device back; the mouse leads a simulated hand"), link_.whyNotLetGo());
+    allow(*add_, tr("Make the chosen device ready as one more hand; those that there are stay"),
+          whyNotOf(&DeviceLink::whyNotAdd));
     emit chosenChanged();
 }
 

@@ -21,6 +21,11 @@ public:
 
     /// Id of the chosen row; empty when there is none, or when its device cannot be used.
     QString chosen() const;
+    /// Why what is chosen cannot be connected; empty: it can.
+    QString whyNotConnect() const;
+    /// The device is at a haptic server and nothing can be chosen here. `device`: its name; empty while the
+    /// server is not there.
+    void showServer(const QString& place, const QString& device);
     /// A line for a terminal, to be copied; with the sentence that leads to it.
     void showCommand(const QString& sentence, const QString& command);
     /// Permission is offered for the loops' sake, too.
@@ -40,12 +45,13 @@ protected:
 private:
     void fill();
     void follow();
+    QString whyNotOf(QString (DeviceLink::*why)(const QString&) const) const;
     void askForFile();
 
     DeviceLink& link_;
     QTreeWidget* list_;
     QPushButton *connect_, *disconnect_, *add_, *permit_, *supply_;
-    QLabel* sentence_;
+    QLabel *sentence_, *server_;
     QLineEdit* command_;
     QPushButton* copy_;
     DeviceSteps* steps_;

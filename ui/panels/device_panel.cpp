@@ -10,6 +10,7 @@
 
 #include "core/runtime/engine.h"
 #include "ui/base/style.h"
+#include "ui/base/words.h"
 #include "ui/engine/device_link.h"
 #include "ui/panels/device_connect.h"
 #include "ui/panels/device_live.h"
@@ -109,7 +110,7 @@ void DevicePanel::display(const Engine& engine) {
 
 void DevicePanel::showState(const Engine& engine) {
     armed_ = link_.hands().anyArmed();
-    name_->setText(QString::fromStdString(engine.device().name));
+    name_->setText(wordsOf(engine.device().name));
     const QString stop = tr("STOP: hold Esc");
     state_->setText(!engine.running() ? tr("it does not run")
                     : armed_          ? tr("forces on \u00b7 %1").arg(stop)

@@ -7,6 +7,7 @@
 
 #include "ui/base/hand_colours.h"
 #include "ui/base/style.h"
+#include "ui/base/words.h"
 #include "ui/engine/device_link.h"
 #include "ui/widgets/columns.h"
 
@@ -65,9 +66,9 @@ void HandList::display() {
 QString HandList::textOf(std::size_t hand) const {
     const Hands& hands = link_.hands();
     return QStringLiteral("%1 \u00b7 %2")
-        .arg(QString::fromStdString(hands.device(hand).name), link_.gone(hand)    ? tr("not there any more")
-                                                              : hands.armed(hand) ? tr("forces on")
-                                                                                  : tr("forces off"));
+        .arg(wordsOf(hands.device(hand).name), link_.gone(hand)    ? tr("not there any more")
+                                               : hands.armed(hand) ? tr("forces on")
+                                                                   : tr("forces off"));
 }
 
 void HandList::addRow() {

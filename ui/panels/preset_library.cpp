@@ -63,7 +63,8 @@ QString libraryLine(const QString& label, const QString& value, const PresetSour
 }
 
 /// "0.60 / 0.30 · Metal": static and dynamic friction, or else what it sets first.
-QString figuresOf(const Preset& preset) {
+QString figuresOf(const StoredPreset& stored) {
+    const Preset& preset = stored.preset;
     QStringList figures;
     for (std::size_t i = 0; i < kMaterialFields.size(); ++i) {
         const Parameter* parameter = kMaterialFields[i].parameter;
@@ -74,7 +75,7 @@ QString figuresOf(const Preset& preset) {
         if (preset.values[i]) figures << valueText(*kMaterialFields[i].parameter, *preset.values[i]);
     if (figures.isEmpty() && preset.layers) figures << PresetLibrary::tr("texture");
     QStringList parts{figures.join(QStringLiteral(" / "))};
-    if (!preset.category.empty()) parts << asIs(preset.category);
+    if (!preset.category.empty()) parts << stored.category();
     return parts.join(QStringLiteral(" \u00b7 "));
 }
 
@@ -85,7 +86,7 @@ QString detailsOf(const StoredPreset& stored) {
     QString text;
     if (!preset.category.empty())
         text = QStringLiteral("<p style='margin:0 0 4px 0'><b>%1</b></p>")
-                   .arg(asIs(preset.category).toHtmlEscaped());
+                   .arg(stored.category().toHtmlEscaped());
     for (std::size_t i = 0; i < kMaterialFields.size(); ++i) {
         const Parameter& parameter = *kMaterialFields[i].parameter;
         if (preset.values[i])
@@ -268,13 +269,13 @@ void PresetLibrary::fill() {
         list_->clear();
         for (const StoredPreset& stored : store_.presets()) {
             if (!matches(stored, search_->text()) && stored.file != wanted_) continue;
-            auto* item = new QTreeWidgetItem(list_, {asIs(stored.preset.name)});
+            auto* item = new QTreeWidgetItem(list_, {stored.name()});
             const QPixmap picture = QPixmap::fromImage(stored.picture);
             QIcon shown(picture);
             shown.addPixmap(picture, QIcon::Selected); // else it is tinted there
             item->setIcon(0, shown);
-            item->setData(0, kFiguresRole, figuresOf(stored.preset));
-            item->setData(0, Qt::AccessibleDescriptionRole, figuresOf(stored.preset));
+            item->setData(0, kFiguresRole, figuresOf(stored));
+            item->setData(0, Qt::AccessibleDescriptionRole, figuresOf(stored));
             item->setData(0, kFileRole, stored.file);
             item->setToolTip(0, detailsOf(stored));
             if (stored.own) item->setFlags(item->flags() | Qt::ItemIsEditable);
@@ -316,7 +317,7 @@ void PresetLibrary::rename(QTreeWidgetItem* item) {
 void PresetLibrary::removeChosen() {
     const StoredPreset* stored = chosen();
     if (!stored || !stored->own) return;
-    const QString name = asIs(stored->preset.name);
+    const QString name = stored->name();
     store_.remove(*stored);
     emit removed(name);
 }

@@ -7,13 +7,18 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "core/loop/urgency.h"
+#include "ui/base/language.h"
 #include "ui/base/numbers.h"
 #include "ui/base/style.h"
+#include "ui/base/words.h"
 #include "ui/widgets/force_meter.h"
 
 namespace tactum {
 
 namespace {
+
+constexpr int kDevicePart = 5; // of the whole width at most, where that is more than it needs
 
 QString kilohertz(double hertz) {
     return hertz < 9950 ? numberText(hertz, 0) + QStringLiteral(" Hz")
@@ -91,11 +96,9 @@ QLabel* StatusStrip::addReading(const QString& name, const QString& meaning, con
 
 void StatusStrip::display(const Engine& engine) {
     const bool on = engine.running() && engine.armed();
-    device_->setText(QStringLiteral("%1 \u00b7 %2")
-                         .arg(QString::fromStdString(engine.device().name), !engine.running()
-                                                                                ? tr("not running")
-                                                                            : on ? tr("forces on")
-                                                                                 : tr("forces off")));
+    showDevice(engine.device().name, !engine.running() ? tr("not running")
+                                     : on              ? tr("forces on")
+                                                       : tr("forces off"));
     stop_->setEnabled(on || othersPush_);
     const ServoTelemetry& servo = engine.servo();
     const ProxyTelemetry& proxy = engine.proxy();
@@ -107,12 +110,28 @@ void StatusStrip::display(const Engine& engine) {
     showNote(!fault_.isEmpty()   ? fault_
              : !quiet_.isEmpty() ? quiet_
              : idle              ? hovered_
-                                 : QString::fromStdString(engine.priorityNote()));
+                                 : priorityWords(engine.priorityNote()));
+}
+
+/// Whether it may push is never cut off; the name is, where there is little room.
+void StatusStrip::showDevice(const std::string& name, const QString& state) {
+    const QFontMetrics metrics = device_->fontMetrics();
+    const QString words = wordsOf(name), after = QStringLiteral(" \u00b7 ") + state;
+    const int room = deviceRoom() - metrics.horizontalAdvance(after);
+    device_->setText(metrics.elidedText(words, Qt::ElideRight, room) + after);
+    device_->setToolTip(
+        QStringLiteral("%1%2\n%3").arg(words, after, tr("The device, and whether it may push")));
+}
+
+/// It is the same for hours, and is shown sixty times a second.
+QString StatusStrip::priorityWords(const std::string& english) {
+    if (english != english_) priority_ = wordsInside(english_ = english, kUrgencyWords);
+    return priority_;
 }
 
 void StatusStrip::display(const ProxyTelemetry& proxy, const ServoTelemetry& servo,
                           const DeviceInfo& device) {
-    device_->setText(tr("%1 \u00b7 recorded").arg(QString::fromStdString(device.name)));
+    showDevice(device.name, tr("recorded"));
     stop_->setEnabled(false);
     servo_->setText(tr("servo %1").arg(kilohertz(servo.rate)));
     proxy_->setText(tr("proxy %1").arg(kilohertz(proxy.rate)));
@@ -148,13 +167,44 @@ void StatusStrip::setFault(const QString& sentences) {
     if (sentences == fault_) return;
     fault_ = sentences;
     const bool fault = !fault_.isEmpty();
-    // They make room for the sentences; nothing runs that they could tell.
-    for (QWidget* reading : {static_cast<QWidget*>(servo_), static_cast<QWidget*>(proxy_),
-                             static_cast<QWidget*>(contacts_), static_cast<QWidget*>(force_)})
-        reading->setVisible(!fault);
+    showReadings();
     arm_->setVisible(fault);
     setProperty("fault", fault);
     repolish(*this);
+}
+
+int StatusStrip::deviceRoom() const {
+    return std::max(device_->minimumWidth(), width() / kDevicePart);
+}
+
+/// What is always there beside the device.
+int StatusStrip::least() const {
+    const QMargins margins = layout()->contentsMargins();
+    return margins.left() + margins.right() + stop_->sizeHint().width() + note_->minimumWidth() +
+           2 * layout()->spacing();
+}
+
+QSize StatusStrip::minimumSizeHint() const {
+    const int gap = layout()->spacing();
+    return {least() + device_->minimumWidth() + force_->minimumWidth() + contacts_->minimumWidth() + 2 * gap,
+            layout()->minimumSize().height()};
+}
+
+/// The first are wanted most. Under a fault they make room for its sentences; nothing runs that they could
+/// tell.
+void StatusStrip::showReadings() {
+    int room = fault_.isEmpty() ? width() - least() - deviceRoom() : 0;
+    for (QWidget* each : {static_cast<QWidget*>(force_), static_cast<QWidget*>(contacts_),
+                          static_cast<QWidget*>(servo_), static_cast<QWidget*>(proxy_)}) {
+        const int wanted = each->minimumWidth() + layout()->spacing();
+        each->setVisible(wanted <= room);
+        room -= wanted;
+    }
+}
+
+void StatusStrip::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    showReadings();
 }
 
 } // namespace tactum

@@ -33,15 +33,25 @@ public:
     void setFault(const QString& sentences);
     /// Instead of the priority note: why there is less force than usual, or less detail. May be empty.
     void setQuietNote(const QString& sentences) { quiet_ = sentences; }
+    /// With STOP, the device, the force and what is touched; the rates give way.
+    QSize minimumSizeHint() const override;
 
 signals:
     void armPressed();
     void stopPressed();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     QLabel* addReading(const QString& name, const QString& meaning, const QString& widest);
+    void showDevice(const std::string& name, const QString& state);
+    void showReadings();
+    int deviceRoom() const;
+    int least() const;
     void showTouch(const ProxyTelemetry& proxy, const ServoTelemetry& servo, const DeviceInfo& device);
 
+    QString priorityWords(const std::string& english);
     void showNote(const QString& note);
 
     QLabel* device_;
@@ -52,6 +62,8 @@ private:
     QLabel* note_;
     QPushButton* arm_;
     QPushButton* stop_;
+    std::string english_; ///< of the priority note
+    QString priority_;    ///< the same in words
     QString fault_, quiet_, touched_, hovered_;
     bool othersPush_ = false;
 };

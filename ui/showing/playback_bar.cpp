@@ -143,7 +143,7 @@ void PlaybackBar::tellEvent(double time) {
 void PlaybackBar::tellVerdict(const ReplayCheck& check) {
     const bool same = check.differ == 0;
     verdict_->setText(same ? tr("\u2713 the same bits as recorded")
-                           : tr("\u26a0 %1 steps are not as recorded").arg(check.differ));
+                           : tr("\u26a0 %n step(s) are not as recorded", nullptr, int(check.differ)));
     verdict_->setToolTip(same ? tr("Every step since the last jump gave what it gave then.")
                               : QString::fromStdString(check.first));
     if (verdict_->property("fault").toBool() == !same) return;

@@ -48,12 +48,11 @@ double expectedSeconds(const StudyDesign& design) {
 QString summaryOf(const StudyDesign& design) {
     QStringList lines{procedureWords(design)};
     const bool most = design.procedure == Procedure::Staircase;
-    lines
-        << (most ? StudyPanel::tr("At most %1 trials") : StudyPanel::tr("%1 trials")).arg(trialsOf(design)) +
-               StudyPanel::tr(", about %1 min").arg(int(std::ceil(expectedSeconds(design) / 60)));
-    lines << (design.questions.size() == 1
-                  ? StudyPanel::tr("1 question after each")
-                  : StudyPanel::tr("%1 questions after each").arg(design.questions.size()));
+    const int trials = trialsOf(design);
+    lines << (most ? StudyPanel::tr("At most %n trial(s)", nullptr, trials)
+                   : StudyPanel::tr("%n trial(s)", nullptr, trials)) +
+                 StudyPanel::tr(", about %1 min").arg(int(std::ceil(expectedSeconds(design) / 60)));
+    lines << StudyPanel::tr("%n question(s) after each", nullptr, int(design.questions.size()));
     if (const auto sound = check(design); !sound) lines << QString::fromStdString(sound.error().text);
     return lines.join(u'\n');
 }
@@ -68,9 +67,11 @@ StudyPanel::StudyPanel(StudyDesk& desk, QWidget* parent)
     auto* whole = new QHBoxLayout(this);
     whole->setContentsMargins(12, kRhythm / 2, 12, kRhythm / 2);
     whole->setSpacing(kRhythm);
-    whole->addWidget(list_, 2);
+    auto* told = new QVBoxLayout;
+    told->addWidget(list_, 1);
+    told->addWidget(summary_);
+    whole->addLayout(told, 1);
     whole->addLayout(buttons);
-    whole->addWidget(summary_, 1);
     keep_ = addButton(tr("Keep this state..."), "study-keep-button",
                       tr("The scene as it is now becomes a condition, under a name"), &StudyPanel::keepAsked);
     replace_ =
@@ -89,6 +90,7 @@ StudyPanel::StudyPanel(StudyDesk& desk, QWidget* parent)
                      tr("With a participant, whose answers and touch are logged"), &StudyPanel::runAsked);
     buttons->setRowStretch(buttons->rowCount(), 1);
     list_->setObjectName(QStringLiteral("study-conditions"));
+    list_->setMinimumWidth(6 * kRhythm);
     list_->setAccessibleName(tr("Conditions of the study"));
     list_->setHeaderHidden(true);
     list_->setRootIsDecorated(false);
@@ -107,6 +109,7 @@ QPushButton* StudyPanel::addButton(const QString& text, const char* name, const 
     auto* button = new QPushButton(text);
     button->setObjectName(QString::fromLatin1(name));
     button->setToolTip(meaning);
+    button->setProperty("inRow", true); // the window has to fit a small screen
     connect(button, &QPushButton::clicked, this, asked);
     auto* buttons = static_cast<QGridLayout*>(layout()->itemAt(1)->layout());
     buttons->addWidget(button, buttons->count() % 3, buttons->count() / 3);

@@ -41,9 +41,10 @@ Vec3 nearestOn(const Vec3& a, const Vec3& b, const Ray& ray) {
 struct Words {
     QPointF at, away;  ///< they are beside that place, in this direction of unit length
     QStringList lines; ///< the first is bold
+    QRectF box{};      ///< where they are
 };
 
-QRectF boxOf(const Words& words, const QFont& font) {
+QRectF boxBeside(const Words& words, const QFont& font) {
     QFont bold = font;
     bold.setBold(true);
     const QFontMetricsF metrics(bold);
@@ -56,8 +57,34 @@ QRectF boxOf(const Words& words, const QFont& font) {
     return box;
 }
 
+/// Whole inside of the view, where that is large enough.
+QRectF inside(QRectF box, const QRectF& view) {
+    box.moveLeft(std::max(view.left(), std::min(box.left(), view.right() - box.width())));
+    box.moveTop(std::max(view.top(), std::min(box.top(), view.bottom() - box.height())));
+    return box;
+}
+
+/// The nearest place that nothing covers; where there is none, the box as it is.
+QRectF uncovered(const QRectF& box, const QRectF& view, const std::vector<QRectF>& covers) {
+    const QRectF wanted = inside(box, view);
+    const auto isFree = [&](const QRectF& place) {
+        return std::ranges::none_of(covers, [&](const QRectF& cover) { return cover.intersects(place); });
+    };
+    std::vector<QRectF> places{wanted};
+    for (const QRectF& cover : covers)
+        for (const QPointF& corner : {QPointF(wanted.left(), cover.bottom() + kLabelGap),
+                                      QPointF(wanted.left(), cover.top() - kLabelGap - wanted.height()),
+                                      QPointF(cover.right() + kLabelGap, wanted.top()),
+                                      QPointF(cover.left() - kLabelGap - wanted.width(), wanted.top())})
+            places.push_back(inside(QRectF(corner, wanted.size()), view));
+    const auto offOf = [&](const QRectF& place) {
+        return isFree(place) ? lengthOf(place.topLeft() - wanted.topLeft()) : 1e9;
+    };
+    return *std::ranges::min_element(places, {}, offOf);
+}
+
 void drawWords(QPainter& painter, const Words& words, const Theme& theme) {
-    const QRectF box = boxOf(words, painter.font());
+    const QRectF& box = words.box;
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme.label);
     painter.drawRoundedRect(box, kMeasureRim, kMeasureRim);
@@ -105,18 +132,30 @@ public:
             lines.push_back(onScreen({points[i - 1], points[i]}, camera));
         const auto numbers = numbersOf(points);
         if (numbers && !lines.front().isEmpty())
-            words.push_back(
-                {lines.front().boundingRect().center(), acrossOf(lines.front()), linesOf(*numbers)});
+            words.push_back({.at = lines.front().boundingRect().center(),
+                             .away = acrossOf(lines.front()),
+                             .lines = linesOf(*numbers)});
         if (points.size() < 3) return;
         arc = arcOf(points, camera);
         if (const auto corner = camera.project(points[1]); corner && !arc.isEmpty()) {
             const QPointF out = arc[arc.size() / 2] - *corner;
-            words.push_back(
-                {arc[arc.size() / 2], out / std::max(lengthOf(out), 1e-6), {angleText(*numbers->angle)}});
+            words.push_back({.at = arc[arc.size() / 2],
+                             .away = out / std::max(lengthOf(out), 1e-6),
+                             .lines = {angleText(*numbers->angle)}});
         }
     }
 
-    QRectF box(const QFont& font) const {
+    /// Before they are drawn. Words of what is beside the view stay there.
+    void placeWords(const QFont& font, const QRectF& view, const QRegion& covered) {
+        std::vector<QRectF> covers(covered.begin(), covered.end());
+        for (Words& each : words) {
+            each.box = boxBeside(each, font);
+            if (view.contains(each.at)) each.box = uncovered(each.box, view, covers);
+            covers.push_back(each.box);
+        }
+    }
+
+    QRectF box() const {
         if (dots.isEmpty()) return {}; // all of it is behind the eye
         // A rectangle without an area is no part of another one: each has its rim first.
         const auto about = [](const QPolygonF& drawn) {
@@ -127,7 +166,7 @@ public:
             all |= about(line);
         if (!arc.isEmpty()) all |= about(arc);
         for (const Words& each : words)
-            all |= boxOf(each, font);
+            all |= each.box;
         return all;
     }
 
@@ -152,6 +191,13 @@ public:
         }
         for (const Words& each : words)
             drawWords(painter, each, theme);
+    }
+
+    std::vector<QRectF> boxes() const {
+        std::vector<QRectF> all;
+        for (const Words& each : words)
+            all.push_back(each.box);
+        return all;
     }
 
 private:
@@ -213,14 +259,23 @@ Vec3 snappedTo(const TriangleSoup& soup, Index triangle, const Pose& pose, const
     return best;
 }
 
+std::vector<QRectF> measureBoxes(std::span<const Vec3> points, const ViewCamera& camera, const QFont& font,
+                                 const QRegion& covered) {
+    MeasurePicture picture(points, camera);
+    picture.placeWords(font, QRectF({0, 0}, camera.size), covered);
+    return picture.boxes();
+}
+
 // By the processor into a picture of its own, so that edges are smooth on every context.
 void drawMeasure(QPainter& painter, std::span<const Vec3> points, const std::optional<Vec3>& next,
-                 const ViewCamera& camera, const Theme& theme) {
+                 const ViewCamera& camera, const Theme& theme, const QRegion& covered) {
     std::vector<Vec3> all(points.begin(), points.end());
     if (next && all.size() < 3) all.push_back(*next);
     if (all.empty()) return;
-    const MeasurePicture picture(all, camera);
-    const QRect box = (picture.box(painter.font()) & QRectF({0, 0}, camera.size)).toAlignedRect();
+    const QRectF view({0, 0}, camera.size);
+    MeasurePicture picture(all, camera);
+    picture.placeWords(painter.font(), view, covered);
+    const QRect box = (picture.box() & view).toAlignedRect();
     if (box.isEmpty()) return;
     const double ratio = painter.device()->devicePixelRatioF();
     QImage image((QSizeF(box.size()) * ratio).toSize(), QImage::Format_ARGB32_Premultiplied);

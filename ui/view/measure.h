@@ -4,8 +4,11 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <QPointF>
+#include <QRectF>
+#include <QRegion>
 #include <QString>
 
 #include "core/scene/scene.h"
@@ -13,6 +16,7 @@
 #include "ui/view/section_plane.h"
 #include "ui/view/view_camera.h"
 
+class QFont;
 class QPainter;
 
 namespace tactum {
@@ -45,8 +49,14 @@ QString measuredLines(const MeasuredNumbers& numbers);
 Vec3 snappedTo(const TriangleSoup& soup, Index triangle, const Pose& X_WB, const Vec3& hit_W, QPointF cursor,
                const ViewCamera& camera, const std::optional<SectionPlane>& section);
 
+/// Where the numbers of a measure are written, in logical pixels: beside its lines, but inside of the view
+/// and not under `covered`, where there is room.
+std::vector<QRectF> measureBoxes(std::span<const Vec3> points_W, const ViewCamera& camera, const QFont& font,
+                                 const QRegion& covered);
+
 /// Points, lines and numbers, in logical pixels; `next`: the place under the cursor that a click would add.
+/// `covered`: of the view, by what lies over it.
 void drawMeasure(QPainter& painter, std::span<const Vec3> points_W, const std::optional<Vec3>& next_W,
-                 const ViewCamera& camera, const Theme& theme);
+                 const ViewCamera& camera, const Theme& theme, const QRegion& covered = {});
 
 } // namespace tactum

@@ -1,5 +1,6 @@
 #include "ui/view/saved_view.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -8,6 +9,7 @@ namespace tactum {
 namespace {
 /// Of the direction: nearer to straight up or down it does not say where right is.
 constexpr double kUpright = 1e-6;
+constexpr double kLeastView = 1e-4, kMostView = EIGEN_PI - 1e-4; // rad: beyond, a picture of nothing
 } // namespace
 
 SavedCamera savedCamera(const ViewCamera& camera, std::string name) {
@@ -40,7 +42,7 @@ ViewCamera viewOf(const SavedCamera& saved, const ViewCamera& like) {
     if (saved.parallel)
         camera.distance = 0.5 * saved.height / std::tan(0.5 * camera.fieldOfView);
     else
-        camera.fieldOfView = saved.angle;
+        camera.fieldOfView = std::clamp(saved.angle, kLeastView, kMostView);
     return camera;
 }
 

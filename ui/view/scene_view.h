@@ -145,6 +145,10 @@ public:
     /// Where the points of the measure are now, at most three. World frame, metre.
     std::vector<Vec3> measured() const;
     void clearMeasure();
+    /// Where its numbers are written, in logical pixels.
+    std::vector<QRectF> measuredBoxes() const;
+    /// Other widgets lie over these parts of the view, in logical pixels: numbers are written beside them.
+    void setCovered(const QRegion& covered);
     /// The box of the scene at the time 0, world frame; empty: nothing is in it.
     Bounds bounds() const;
     /// Ends the drag of any handle where it is.

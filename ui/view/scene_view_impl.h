@@ -145,7 +145,8 @@ struct SceneView::Impl {
     double proxyRadius = kProxyRadius.initial, touchScale = 1;
     bool overlayVisible = true;
     bool dark = true;
-    int foot = 0; ///< logical pixels
+    int foot = 0;    ///< logical pixels
+    QRegion covered; ///< by what lies over the view, likewise
     bool fitted = false;
     std::vector<SurfaceRef> selection;
     std::optional<SurfaceRef> hovered;

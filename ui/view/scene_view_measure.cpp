@@ -65,7 +65,18 @@ void SceneView::Impl::drawMeasured(QPainter& painter) const {
         const auto pose = model.placeOf(point.object);
         return pose ? std::optional(pose->apply(point.p_B)) : std::nullopt;
     };
-    drawMeasure(painter, view.measured(), measureNext ? placed(*measureNext) : std::nullopt, camera, theme());
+    drawMeasure(painter, view.measured(), measureNext ? placed(*measureNext) : std::nullopt, camera, theme(),
+                covered);
+}
+
+std::vector<QRectF> SceneView::measuredBoxes() const {
+    return measureBoxes(measured(), impl_->camera, font(), impl_->covered);
+}
+
+void SceneView::setCovered(const QRegion& covered) {
+    if (impl_->covered == covered) return;
+    impl_->covered = covered;
+    changed();
 }
 
 std::vector<Vec3> SceneView::measured() const {

@@ -56,7 +56,7 @@ QString PeriodChart::figuresOf(std::size_t bin) const {
     const QString from = bin == 0 ? QStringLiteral("0") : numberText(bounds[bin - 1], 0);
     const QString range = bin == bounds.size() ? tr("more than %1 \u00b5s").arg(from)
                                                : tr("%1 to %2 \u00b5s").arg(from, numberText(bounds[bin], 0));
-    return tr("%1: %2 ticks, %3").arg(range).arg(periods_.count[bin]).arg(percent(share(bin)));
+    return tr("%1: %n tick(s), %2", nullptr, int(periods_.count[bin])).arg(range, percent(share(bin)));
 }
 
 QRectF PeriodChart::area() const {

@@ -1,16 +1,14 @@
 #include "ui/widgets/tool_strip.h"
 
-#include <algorithm>
-
 #include <QAction>
 #include <QComboBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
 
 #include "ui/base/style.h"
+#include "ui/widgets/wrapping_row.h"
 
 namespace tactum {
 
@@ -36,7 +34,7 @@ QToolButton* buttonOf(QAction* action, const QString& text) {
 } // namespace
 
 ToolStrip::ToolStrip(QWidget* parent)
-    : QWidget(parent), content_(new QWidget(this)), row_(new QHBoxLayout(content_)) {
+    : QWidget(parent), content_(new QWidget(this)), row_(new WrappingRow(content_)) {
     setObjectName(QStringLiteral("tool-strip"));
     row_->setContentsMargins(kRhythm, kRhythm / 2, kRhythm, kRhythm / 2);
     row_->setSpacing(kRhythm / 2);
@@ -48,11 +46,13 @@ ToolStrip::ToolStrip(QWidget* parent)
 }
 
 QSize ToolStrip::sizeHint() const {
-    return content_->sizeHint();
+    return row_->sizeHint();
 }
 
 void ToolStrip::layOut() {
-    content_->resize(std::max(width(), content_->minimumSizeHint().width()), height());
+    const int height = row_->heightForWidth(width());
+    content_->resize(width(), height);
+    setFixedHeight(height);
 }
 
 void ToolStrip::resizeEvent(QResizeEvent*) {
@@ -108,8 +108,8 @@ void ToolStrip::addField(QWidget* field) {
     row_->addWidget(field);
 }
 
-void ToolStrip::addStretch() {
-    row_->addStretch(1);
+void ToolStrip::addGap() {
+    row_->addGap();
 }
 
 } // namespace tactum

@@ -5,12 +5,13 @@
 #include <QWidget>
 
 class QAction;
-class QHBoxLayout;
 
 namespace tactum {
 
-/// Lists, fields and buttons from left to right; what has no room is cut off at the right end rather than
-/// taken from the panels or pushed together. Thread: ui.
+class WrappingRow;
+
+/// Lists, fields and buttons from left to right; what has no room goes on in a row below rather than being
+/// cut off, taken from the panels or pushed together. Thread: ui.
 class ToolStrip : public QWidget {
     Q_OBJECT
 public:
@@ -25,8 +26,8 @@ public:
     /// A button that shows several under one name; `what`: its tooltip.
     void addMenu(const QString& name, const QString& what, const QList<QAction*>& actions);
     void addField(QWidget* field);
-    /// What follows stands at the right end.
-    void addStretch();
+    /// What follows is of another kind.
+    void addGap();
     QSize sizeHint() const override;
 
 protected:
@@ -37,7 +38,7 @@ private:
     void layOut();
 
     QWidget* content_;
-    QHBoxLayout* row_;
+    WrappingRow* row_;
 };
 
 } // namespace tactum

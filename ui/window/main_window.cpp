@@ -17,6 +17,7 @@
 #include "ui/controllers/arming.h"
 #include "ui/controllers/cameras_menu.h"
 #include "ui/controllers/compare_controller.h"
+#include "ui/controllers/covers.h"
 #include "ui/controllers/device_controller.h"
 #include "ui/controllers/edit_notice.h"
 #include "ui/controllers/folds.h"
@@ -125,7 +126,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     bench_.dock("dock-inspector").raise();
     sizeDocks(*this);
     folds_ = new Folds(*this);
-    makeToolBar();
+    makeToolBars();
     makeMenus();
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addWidget(status_, 1);
@@ -144,6 +145,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectParts();
     connectShowing();
     makeControllers();
+    new Covers(*centralWidget(), *view_);
     setAcceptDrops(true);
     restore();
     follow({});
@@ -190,7 +192,10 @@ void MainWindow::makeControllers() {
     connect(new PaletteController(bench_, *folds_, *sets_, *cameras_, *centre_, *importBar_),
             &PaletteController::fileChosen, this, &MainWindow::open);
     connect(new PreferenceController(bench_, *journal_), &PreferenceController::themeChanged, this,
-            refreshStart);
+            [this, refreshStart] {
+                refreshStart();
+                refreshMore();
+            });
 }
 
 /// What concerns the hand, the device and the forces: what is felt in the document's place gives way to each

@@ -110,7 +110,8 @@ protected:
 
 private:
     QWidget* makeCentre();
-    void makeToolBar();
+    void makeToolBars();
+    void refreshMore();
     void makeMenus();
     void fillRecent(QMenu* menu);
     void connectFile();

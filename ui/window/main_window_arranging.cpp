@@ -90,7 +90,7 @@ void MainWindow::fillArrangeStrip() {
                               {tr("Middle of all"), tr("Each its own"), tr("The last one"), tr("Origin")});
     arrangeStrip_->addLabel(tr("Handles along"));
     arrangeStrip_->addChoices(tr("Axes of the handles"), axes, {tr("The world"), tr("The object")});
-    arrangeStrip_->addStretch();
+    arrangeStrip_->addGap();
     arrangeStrip_->addLabel(tr("Ctrl snaps, Shift is fine, Esc gives up"));
 }
 

@@ -63,22 +63,42 @@ void aboutTactum(QWidget* parent) {
 
 } // namespace
 
-void MainWindow::makeToolBar() {
-    auto* bar = addToolBar(tr("Tools"));
-    bar->setObjectName(QStringLiteral("tools"));
-    bar->setMovable(false);
-    bar->setIconSize({24, 24});
-    for (const char* id :
-         {"open", "", "undo", "redo", "", "touch", "select", "paint", "arrange", "", "fit", "view-front",
-          "view-right", "view-top", "view-isometric", "", "overlay", "", "armed"}) {
+/// What has no room goes into a menu at the right end of the first; the second, with the forces, always has.
+void MainWindow::makeToolBars() {
+    const auto add = [this](const char* name, const QString& title) {
+        auto* bar = addToolBar(title);
+        bar->setObjectName(QLatin1String(name));
+        bar->setMovable(false);
+        bar->setIconSize({24, 24});
+        return bar;
+    };
+    QToolBar* tools = add("tools", tr("Tools"));
+    for (const char* id : {"open", "", "undo", "redo", "", "touch", "select", "paint", "arrange", "", "fit",
+                           "view-front", "view-right", "view-top", "view-isometric", "", "overlay"}) {
         if (*id)
-            bar->addAction(&actions_[id]);
+            tools->addAction(&actions_[id]);
         else
-            bar->addSeparator();
+            tools->addSeparator();
     }
+    QToolBar* forces = add("forces", tr("Forces"));
+    forces->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+    forces->addAction(&actions_["armed"]);
+    forces->toggleViewAction()->setVisible(false); // among the panels that can be hidden
     for (const char* id : {"open", "touch", "select", "paint", "arrange", "armed"})
-        static_cast<QToolButton*>(bar->widgetForAction(&actions_[id]))
-            ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        for (QToolBar* bar : {tools, forces})
+            if (auto* button = static_cast<QToolButton*>(bar->widgetForAction(&actions_[id])))
+                button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    refreshMore();
+}
+
+/// The style's own is black on every ground.
+void MainWindow::refreshMore() {
+    for (auto* more : findChildren<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))) {
+        more->setIcon(icon(QStringLiteral("chevron-right")));
+        more->setIconSize({16, 16});
+        more->setToolTip(tr("Tools that have no room"));
+        more->setAccessibleName(more->toolTip());
+    }
 }
 
 void MainWindow::makeMenus() {

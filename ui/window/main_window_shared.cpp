@@ -6,10 +6,13 @@
 #include <QProcess>
 #include <QStackedWidget>
 
+#include "ui/base/words.h"
 #include "ui/controllers/arming.h"
 #include "ui/controllers/stage.h"
 #include "ui/engine/shared_link.h"
 #include "ui/panels/connection_bar.h"
+#include "ui/panels/device_connect.h"
+#include "ui/panels/device_panel.h"
 #include "ui/panels/start_page.h"
 #include "ui/tools/hand_link.h"
 #include "ui/view/scene_view.h"
@@ -34,7 +37,10 @@ void MainWindow::setShared(SharedScene& shared) {
     stage_->setApart([this] { return !shared_->state().connected; });
     hand_->setIdle(engine_.device().real); // one that leads itself
     connect(shared_, &SharedLink::changed, this, [this] {
-        connection_->display(shared_->state());
+        const SharedState& state = shared_->state();
+        connection_->display(state);
+        devicePanel_->connecting().showServer(state.place,
+                                              state.connected ? wordsOf(engine_.device().name) : QString());
         stage_->showCentre();
         arming_->show();
     });

@@ -53,54 +53,95 @@ bool isAsItSuits(const SavedCamera& camera) {
            camera.far == (camera.parallel ? kFarthestParallel * camera.ahead : 0);
 }
 
+/// Why a camera is left out, of one and of several.
+struct Reason {
+    const char *one, *several;
+};
+constexpr Reason kNoneOfThem{"is none of the cameras of the file", "are none of the cameras of the file"};
+constexpr Reason kNoPlace{"has a place that is none, or beyond 1e6 m",
+                          "have a place that is none, or beyond 1e6 m"};
+constexpr Reason kNoLens{"has no lens that anything could be seen by",
+                         "have no lens that anything could be seen by"};
+constexpr Reason kTooMany{"is one more than there can be", "are more than there can be"};
+
+/// As many as a file has of them, in one sentence.
+class LeftOutCameras {
+public:
+    void add(const std::string& name) {
+        constexpr std::size_t kNamed = 3;
+        if (++count_ <= kNamed) names_ += (names_.empty() ? "" : ", ") + inQuotes(name);
+        if (count_ == kNamed + 1) names_ += " and others";
+    }
+    void say(const Reason& reason, std::vector<Finding>& findings) const {
+        if (count_ == 0) return;
+        const bool one = count_ == 1;
+        const std::string sentence = one ? "camera " + names_ + " " + reason.one
+                                         : counted(count_, "camera") + " " + reason.several + ": " + names_;
+        findings.push_back({Finding::Severity::Warning, "", sentence,
+                            one ? "left out; give it another one where it comes from, and export it again"
+                                : "left out; correct them where they come from, and export them again"});
+    }
+
+private:
+    std::size_t count_ = 0;
+    std::string names_;
+};
+
+/// Numbers in it that are no such thing say nothing.
+bool hasDamagedPlace(const Json& node) {
+    return (member(node, "translation") && !vectorIn<3>(node, "translation")) ||
+           (member(node, "rotation") && !vectorIn<4>(node, "rotation"));
+}
+
 class CameraWalk {
 public:
     CameraWalk(const Source& source, const tinygltf::Model& model, const Json& root,
-               const GltfMotions& motions, std::vector<Finding>& findings)
-        : source_(source), model_(model), root_(root), motions_(motions), findings_(findings) {}
+               const GltfMotions& motions)
+        : source_(source), model_(model), root_(root), motions_(motions) {}
 
-    std::vector<PlacedCamera> run() {
+    std::vector<PlacedCamera> run(std::vector<Finding>& findings) {
         for (const int node : sceneRoots(model_))
             visit(node, Affine::Identity(), true);
+        noneOfThem_.say(kNoneOfThem, findings);
+        noPlace_.say(kNoPlace, findings);
+        noLens_.say(kNoLens, findings);
+        tooMany_.say(kTooMany, findings);
         return std::move(placed_);
     }
 
 private:
-    void visit(int index, const Affine& parent, bool isRoot) {
+    /// Nothing for `parent`: what stands on one without a place has none either.
+    void visit(int index, const std::optional<Affine>& parent, bool isRoot) {
         const Json& node = root_["nodes"][std::size_t(index)];
         if (motions_.moves(index) || extensionOf(node, kPhysicsExtension)) return;
-        const Affine here = parent * motions_.localAt(index, 0);
+        const auto here = parent ? placeIfAny(source_, motions_, index, *parent) : std::nullopt;
         if (member(node, "camera") && !member(node, "mesh")) place(index, node, here, isRoot);
         for (const int child : model_.nodes[std::size_t(index)].children)
             visit(child, here, false);
     }
 
-    void place(int index, const Json& node, const Affine& here, bool isRoot) {
+    void place(int index, const Json& node, const std::optional<Affine>& here, bool isRoot) {
         const Json* all = member(root_, "cameras");
         const int camera = indexIn(node, "camera", all && all->is_array() ? all->size() : 0);
         PlacedCamera placed{{}, index, camera};
         if (camera >= 0) placed.camera = lensOf((*all)[std::size_t(camera)]);
         SavedCamera& read = placed.camera;
         read.name = wantedName(node, camera < 0 ? Json() : (*all)[std::size_t(camera)]);
+        if (!here || hasDamagedPlace(node)) return noPlace_.add(read.name);
         read.pose = isRoot && !member(node, "matrix")
                         ? rigidOf(source_, model_, index) // to the bit
-                        : Pose{Quat(polarDecomposition(here.linear()).rotation).normalized(),
-                               Vec3(here.translation())};
+                        : Pose{Quat(polarDecomposition(here->linear()).rotation).normalized(),
+                               Vec3(here->translation())};
         const Json* ours = extensionOf(node);
         if (ours) read.pose = exactPose(*ours, read.pose).value_or(read.pose);
         const double ahead = numberOf(ours, "ahead");
-        if (camera < 0) return leaveOut(read.name, "is none of the cameras of the file");
-        if (!isCamera(read)) return leaveOut(read.name, "has no lens that anything could be seen by");
-        if (placed_.size() >= kMaxCameras) return leaveOut(read.name, "is one more than there can be");
+        if (camera < 0) return noneOfThem_.add(read.name);
+        if (!isCamera(read)) return noLens_.add(read.name);
+        if (placed_.size() >= kMaxCameras) return tooMany_.add(read.name);
         read.name = freeName(read.name);
         read.ahead = ahead;
         if (isAsItSuits(read)) read.near = read.far = 0;
         placed_.push_back(std::move(placed));
-    }
-
-    void leaveOut(const std::string& name, const char* what) {
-        findings_.push_back({Finding::Severity::Warning, "", "camera " + inQuotes(name) + " " + what,
-                             "left out; give it another one where it comes from, and export it again"});
     }
 
     static std::string wantedName(const Json& node, const Json& camera) {
@@ -123,7 +164,7 @@ private:
     const tinygltf::Model& model_;
     const Json& root_;
     const GltfMotions& motions_;
-    std::vector<Finding>& findings_;
+    LeftOutCameras noneOfThem_, noPlace_, noLens_, tooMany_;
     std::set<std::string> taken_;
     std::vector<PlacedCamera> placed_;
 };
@@ -132,7 +173,7 @@ private:
 
 std::vector<PlacedCamera> placedCameras(const Source& source, const tinygltf::Model& model, const Json& root,
                                         const GltfMotions& motions, std::vector<Finding>& findings) {
-    return CameraWalk(source, model, root, motions, findings).run();
+    return CameraWalk(source, model, root, motions).run(findings);
 }
 
 Json cameraJson(const SavedCamera& camera) {

@@ -7,6 +7,7 @@
 #include <Eigen/SVD>
 
 #include "core/files/gltf/gltf_motion.h"
+#include "core/files/gltf/gltf_standards.h"
 #include "core/files/readers.h"
 #include "core/geometry/soup_builder.h"
 
@@ -31,7 +32,8 @@ public:
     }
 
 private:
-    void visit(int index, const Affine& parent, int depth) {
+    /// Whether nothing but cameras stands there and below: a place that is none is theirs to say.
+    bool visit(int index, const Affine& parent, int depth) {
         constexpr int kDeepest = 64;
         const std::string where = whereIsNode(index);
         if (index < 0 || std::size_t(index) >= model_.nodes.size())
@@ -40,14 +42,24 @@ private:
             source_.fail(where + "is its own ancestor or has two parents; re-export the file");
         if (depth > kDeepest) source_.fail(where + "lies deeper than 64 levels; flatten the hierarchy");
         const tinygltf::Node& node = model_.nodes[std::size_t(index)];
-        const Affine here = parent * motions_.localAt(index, 0);
-        if (!here.matrix().allFinite() || !isCoordinate(here.matrix().cwiseAbs().maxCoeff()))
-            source_.fail(where + "has a transform beyond 1e6 m; scale the model");
+        const bool isCamera =
+            node.mesh < 0 && node.camera >= 0 && !node.extensions.contains(kPhysicsExtension);
+        Affine here = parent;
+        std::optional<ReadFault> fault;
+        try {
+            here = standingAt(source_, motions_, index, parent);
+        } catch (const ReadFault& found) {
+            if (!isCamera) throw;
+            fault = found;
+        }
         chain_.push_back(index);
         if (node.mesh >= 0) placeAll(node, here, where);
+        bool seesAlone = isCamera;
         for (int child : node.children)
-            visit(child, here, depth + 1);
+            seesAlone = visit(child, here, depth + 1) && seesAlone;
         chain_.pop_back();
+        if (fault && !seesAlone) throw *fault;
+        return seesAlone;
     }
 
     /// One, or as many as the extension says.
@@ -194,6 +206,22 @@ std::vector<int> sceneRoots(const tinygltf::Model& model) {
 std::vector<PlacedMesh> placedMeshes(const Source& source, const tinygltf::Model& model,
                                      const GltfMotions& motions) {
     return NodeWalk(source, model, motions).run();
+}
+
+Affine standingAt(const Source& source, const GltfMotions& motions, int index, const Affine& parent) {
+    const Affine here = parent * motions.localAt(index, 0);
+    if (!here.matrix().allFinite() || !isCoordinate(here.matrix().cwiseAbs().maxCoeff()))
+        source.fail(whereIsNode(index) + "has a transform beyond 1e6 m; scale the model");
+    return here;
+}
+
+std::optional<Affine> placeIfAny(const Source& source, const GltfMotions& motions, int index,
+                                 const Affine& parent) {
+    try {
+        return standingAt(source, motions, index, parent);
+    } catch (const ReadFault&) {
+        return std::nullopt;
+    }
 }
 
 Affine transformOf(const Source& source, const tinygltf::Model& model, int index) {

@@ -31,13 +31,21 @@ struct PlacedMesh {
 
 /// The meshes of the default scene, of the first, or of all root nodes where there is no scene. The tree must
 /// have no cycle, no node with two parents and at most 64 levels. A mesh that moves, or whose ancestor does,
-/// is where it is at the time 0. Throws ReadFault.
+/// is where it is at the time 0. Every node has a place but those of cameras, with nothing else below. Throws
+/// ReadFault.
 std::vector<PlacedMesh> placedMeshes(const Source& source, const tinygltf::Model& model,
                                      const GltfMotions& motions);
 
 /// The root nodes of the scene that is shown.
 std::vector<int> sceneRoots(const tinygltf::Model& model);
 
+/// The transform of one node to the world at the time 0, by that of its parent. Throws ReadFault where it has
+/// none, or one beyond 1e6 m.
+Eigen::Affine3d standingAt(const Source& source, const GltfMotions& motions, int node,
+                           const Eigen::Affine3d& parent);
+/// The same, or nothing: of a camera, see placedMeshes().
+std::optional<Eigen::Affine3d> placeIfAny(const Source& source, const GltfMotions& motions, int node,
+                                          const Eigen::Affine3d& parent);
 /// The transform of one node to its parent, as it stands in the file. Throws ReadFault.
 Eigen::Affine3d transformOf(const Source& source, const tinygltf::Model& model, int node);
 /// Whether a rotation cannot be taken as it is: its length is further from 1 than rounding the components to

@@ -189,6 +189,7 @@ void PhysicsReader::checkShared() {
 }
 
 void PhysicsReader::visit(int node, const Spot& parent, BodyId body, std::uint32_t part) {
+    if (!placeIfAny(source_, motions_, node, parent.world)) return; // a camera, which has no part in it
     spots_[node] = spotOf(node, parent, body);
     const Json* ours = ofNode(node);
     if (ours) checkKinds(node, *ours);

@@ -129,7 +129,9 @@ TriangleSoup stretched(TriangleSoup soup, const Mat3& stretch, const Vec3& offse
 
 void noteStretchedRotations(const tinygltf::Model& model, std::vector<Finding>& findings) {
     const auto count = std::ranges::count_if(model.nodes, [](const tinygltf::Node& node) {
-        return node.rotation.size() == 4 && needsUnitLength(QuatCoefficients(node.rotation.data()));
+        if (node.rotation.size() != 4) return false;
+        const QuatCoefficients rotation(node.rotation.data());
+        return isUsable(rotation) && needsUnitLength(rotation);
     });
     if (count > 0)
         findings.push_back(

@@ -3,6 +3,7 @@
 //
 // What would show that a test here is wrong: the server's side is looked at by itself, the scene in its stage
 // and the finger and the force of its device, never by what the window says of them.
+#include <QLabel>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -48,6 +49,7 @@ private slots:
     void editsUndoAndRedoAreDoneThere();
     void theMouseLeadsTheHandAndStopEndsTheForceThere();
     void othersAreSeenAndGetTheirTurn();
+    void theDockSaysWhereTheDeviceIs();
     void whenTheServerDiesNothingIsLost();
 
 private:
@@ -163,6 +165,22 @@ void TestConnectedWindow::othersAreSeenAndGetTheirTurn() {
     QVERIFY(waitFor([&] { return here.engine.armed(); }));
     here.command("stop").trigger();
     QVERIFY(waitFor([&] { return !serving.stage->armed(); }));
+}
+
+void TestConnectedWindow::theDockSaysWhereTheDeviceIs() {
+    Serving serving;
+    serving.begin(ballScene());
+    Connected here(serving.place());
+    QVERIFY(here.opened());
+    here.command("device-panel").trigger();
+    const auto* said = here.window->findChild<QLabel*>(QStringLiteral("device-at-server"));
+    QVERIFY(waitFor([&] { return said->isVisible(); }));
+    COMPARE_CONTAINS(said->text(), QStringLiteral("Simulated hand is at the haptic server ") +
+                                       QString::fromStdString(serving.place()));
+    QVERIFY(!here.window->findChild<QWidget*>(QStringLiteral("device-list"))->isVisible());
+    COMPARE_CONTAINS(here.command("device-connect").toolTip(), QStringLiteral("at the haptic server"));
+    serving.server.reset();
+    QVERIFY(waitFor([&] { return said->text().contains(QStringLiteral("is not there")); }));
 }
 
 /// Fails each time where the welcome is heard 300 ms late: what the server before had counted makes an empty

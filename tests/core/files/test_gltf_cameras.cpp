@@ -1,4 +1,6 @@
 // Saved cameras as cameras of glTF: there and back to the bit, those of other programs, and damaged ones.
+#include <numbers>
+
 #include <QTest>
 
 #include "core/files/gltf/gltf_file.h"
@@ -279,7 +281,86 @@ private slots:
         const LoadedScene loaded = load(json.dump());
         QCOMPARE(loaded.scene.cameras.size(), kMaxCameras);
         QVERIFY(areCameras(loaded.scene.cameras));
-        COMPARE_CONTAINS(said(loaded), "one more than there can be");
+        COMPARE_CONTAINS(said(loaded), "3 cameras are more than there can be: \"wide\", \"wide\", \"wide\"");
+    }
+
+    /// Whatever a file says of one, or ten thousand: a person reads a line.
+    void manyThatAreLeftOutAreOneSentence() {
+        Json json = Json::parse(theirs());
+        json.erase("animations");
+        for (int i = 0; i < 9744; ++i) {
+            json["scenes"][0]["nodes"].push_back(json["nodes"].size());
+            json["nodes"].push_back({{"camera", 2}, {"name", "eye " + std::to_string(i)}});
+        }
+        const LoadedScene loaded = load(json.dump());
+        COMPARE_CONTAINS(said(loaded), "9745 cameras have no lens that anything could be seen by: "
+                                       "\"blind\", \"eye 0\", \"eye 1\" and others");
+        QCOMPARE(QString::fromStdString(said(loaded)).count("camera"), 1);
+    }
+
+    /// docs/format.md: an angle above 0 and below pi.
+    void everyAngleOfTheFormatIsRead() {
+        for (const double angle :
+             {1e-9, 5e-5, std::numbers::pi - 5e-5, std::nextafter(std::numbers::pi, 0.0)}) {
+            Json json = Json::parse(theirs());
+            json.erase("animations");
+            json["cameras"][2]["perspective"]["yfov"] = angle;
+            const LoadedScene loaded = load(json.dump());
+            COMPARE_LACKS(said(loaded), "camera");
+            QCOMPARE(loaded.scene.cameras.back().angle, angle);
+            QCOMPARE(load(saved(loaded.scene)).scene.cameras.back().angle, angle);
+        }
+        for (const double angle : {0.0, std::numbers::pi, std::nextafter(std::numbers::pi, 4.0)}) {
+            Json json = Json::parse(theirs());
+            json.erase("animations");
+            json["cameras"][2]["perspective"]["yfov"] = angle;
+            COMPARE_CONTAINS(said(load(json.dump())), "\"blind\" has no lens");
+        }
+    }
+
+    /// Nothing that is felt stands by it.
+    void aCameraWithoutAPlaceIsLeftOut() {
+        const Json places[] = {
+            {{"rotation", {0, 0, 0, 0}}},
+            {{"rotation", {0, 1, 0}}},
+            {{"rotation", "up"}},
+            {{"rotation", {1, 2, 3, "w"}}},
+            {{"translation", {1e300, 0, 0}}},
+            {{"translation", {1, 2}}},
+            {{"translation", {nullptr, 0, 0}}},
+            {{"scale", {1e300, 1, 1}}},
+            {{"matrix", {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}},
+        };
+        for (const Json& place : places)
+            for (const char* physics : {"", "KHR_physics_rigid_bodies"}) {
+                Json json = Json::parse(theirs(R"({"type":"perspective","perspective":{"yfov":1}})"));
+                json.erase("animations");
+                json["nodes"][5].update(place);
+                json["nodes"][5]["children"] = {6}; // another camera, which has no place either
+                json["nodes"].push_back({{"name", "beside"}, {"camera", 0}});
+                if (*physics) json["nodes"][0]["extensions"][physics] = {{"motion", {{"mass", 1}}}};
+                const auto loaded = folder_.load("scene.gltf", json.dump());
+                VERIFY_RESULT(loaded);
+                QCOMPARE(loaded->scene.objects.size(), std::size_t(1));
+                QCOMPARE(loaded->scene.mechanics.bodies.size(), std::size_t(*physics ? 1 : 0));
+                const QString told = QString::fromStdString(said(*loaded));
+                QVERIFY2(told.contains("\"blind\"") && told.contains("a place that is none"),
+                         qPrintable(told + QString::fromStdString(place.dump())));
+                QVERIFY(!told.contains("unit length"));
+                VERIFY_RESULT(folder_.load("again.glb", saved(loaded->scene)));
+            }
+    }
+
+    /// Otherwise it would be felt somewhere else.
+    void aMeshBelowOneWithoutAPlaceIsRefused() {
+        Json json = Json::parse(theirs());
+        json.erase("animations");
+        json["nodes"][5]["rotation"] = {0, 0, 0, 0};
+        json["nodes"][5]["children"] = {0};
+        json["scenes"][0]["nodes"] = {1, 2, 4, 5};
+        const auto loaded = folder_.load("scene.gltf", json.dump());
+        QVERIFY(!loaded);
+        COMPARE_CONTAINS(loaded.error().text, "nodes[5] has no usable rotation");
     }
 };
 

@@ -1,6 +1,5 @@
-// Two Falcons on one engine, of which now one and now the other is pulled out and plugged in again, a
-// thousand times: while both press, while one is made ready, while the engine takes it. The other goes on
-// each time.
+// Two Falcons on one engine, of which now one and now the other is pulled out and plugged in again: while
+// both press, while one is made ready, while the engine takes it. The other goes on each time.
 #include <array>
 #include <cerrno>
 #include <random>
@@ -15,6 +14,7 @@
 #include "tests/core/runtime/patience.h"
 #include "tests/device/falcon/falcon_bench.h"
 #include "tests/support/compare.h"
+#include "tests/support/repeats.h"
 #include "tests/support/soups.h"
 #include "tests/support/test_program.h"
 
@@ -29,11 +29,6 @@ constexpr double kHurry = 1000;
 /// A hand that homes within some milliseconds.
 constexpr FalconBody::Hand kQuickHand{.mass = 0.15, .stiffness = 1e5, .damping = 250, .speed = 20};
 constexpr int kSome = 10; ///< readings and commands: more than chance
-
-int cyclesAskedFor() {
-    const int asked = qEnvironmentVariableIntValue("TACTUM_CYCLES");
-    return asked > 0 ? asked : 1000;
-}
 
 std::shared_ptr<const World> plate() {
     Scene scene;
@@ -160,7 +155,7 @@ private slots:
         {
             Pair pair(1);
             if (const std::string wrong = pair.start(); !wrong.empty()) QFAIL(wrong.c_str());
-            const int cycles = cyclesAskedFor();
+            const int cycles = repeats("TACTUM_CYCLES", 100);
             for (int cycle = 0; cycle < cycles; ++cycle)
                 if (const std::string wrong = pair.goThrough(); !wrong.empty())
                     QFAIL(qPrintable(QString("cycle %1: %2").arg(cycle).arg(wrong.c_str())));

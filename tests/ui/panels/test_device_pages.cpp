@@ -315,6 +315,10 @@ private slots:
         QVERIFY(wantsPermission(link));
         COMPARE_SHOWN(shownIn(page), "connect");
         QCOMPARE(page.chosen(), "simulated");
+        const auto why = [&](const char* button) { return part<QPushButton>(page, button).toolTip(); };
+        QCOMPARE(why("device-connect-button"), "This device is in use already.");
+        QCOMPARE(why("device-disconnect-button"), "No device is connected.");
+        QCOMPARE(why("device-add-button"), "A hand has this device already.");
         QSignalSpy connected(&page, &DeviceConnect::connectPressed),
             let(&page, &DeviceConnect::disconnectPressed),
             permitted(&page, &DeviceConnect::permissionPressed),
@@ -323,12 +327,16 @@ private slots:
         QCOMPARE(page.chosen(), "arm");
         QCOMPARE(changed.size(), 1);
         QVERIFY(part<QPushButton>(page, "device-connect-button").isEnabled());
+        QCOMPARE(why("device-connect-button"), "Make the chosen device ready, step by step");
+        COMPARE_CONTAINS(why("device-add-button"), QStringLiteral("as one more hand"));
         part<QPushButton>(page, "device-connect-button").click();
         emit list.itemActivated(list.currentItem(), 0);
         QCOMPARE(connected.size(), 2);
         list.setCurrentItem(list.topLevelItem(2)); // cannot be used
         QCOMPARE(page.chosen(), "");
         QVERIFY(!part<QPushButton>(page, "device-connect-button").isEnabled());
+        for (const char* button : {"device-connect-button", "device-add-button"})
+            QCOMPARE(why(button), "What is chosen cannot be used; its row says why.");
         list.setCurrentItem(list.topLevelItem(3)); // a remark is none
         QCOMPARE(page.chosen(), "");
         part<QPushButton>(page, "device-permit").click();
@@ -351,6 +359,19 @@ private slots:
         part<QPushButton>(page, "device-disconnect-button").click();
         QCOMPARE(let.size(), 1);
         link.choose(kSimulatedDevice);
+    }
+
+    void atAServerTheDeviceIsThere() {
+        Loops loops;
+        DeviceLink link(loops.engine);
+        DeviceConnect page(link);
+        page.setLacksRealTime(true);
+        page.showServer(QStringLiteral("lab:51270"), QStringLiteral("Example arm"));
+        COMPARE_SHOWN(shownIn(page), "connect-server");
+        QCOMPARE(page.whyNotConnect(), "The device is at the haptic server, and is chosen there.");
+        page.showServer(QStringLiteral("lab:51270"), {});
+        COMPARE_CONTAINS(part<QLabel>(page, "device-at-server").text(),
+                         QStringLiteral("lab:51270 is not there"));
     }
 
     void theDockTellsTheState() {

@@ -372,7 +372,7 @@ private slots:
         strip.addChoices(QStringLiteral("How much"), {&large, &small},
                          {QStringLiteral("Large"), QStringLiteral("Small")});
         strip.addAction(&size);
-        strip.addStretch();
+        strip.addGap();
         strip.addField(new QLabel(QStringLiteral("field")));
         COMPARE_SHOWN(shownIn(strip), "tool-strip");
         auto& list = *strip.findChild<QComboBox*>();
@@ -394,15 +394,24 @@ private slots:
         QVERIFY(!button.isEnabled());
         size.setChecked(false);
         QVERIFY(!button.isChecked());
-        // As wide as what is in it needs, also where there is less room.
-        QWidget& content = *static_cast<QWidget*>(strip.children().front());
+        // What has no room goes on below; words stay beside what they name.
         strip.show();
         QVERIFY(QTest::qWaitForWindowExposed(&strip));
-        strip.resize(20, strip.sizeHint().height());
-        QCOMPARE(content.width(), content.minimumSizeHint().width());
-        strip.resize(3000, strip.sizeHint().height());
-        QCOMPARE(content.width(), 3000);
-        QCOMPARE(content.height(), strip.height());
+        const auto topOf = [&](const QWidget& of) { return of.mapTo(&strip, of.rect().center()).y(); };
+        const auto& word = *strip.findChild<QLabel*>();
+        strip.resize(3000, strip.height());
+        const int row = strip.height();
+        QCOMPARE(row, strip.sizeHint().height());
+        QCOMPARE_LT(std::abs(topOf(button) - topOf(list)), 2);
+        strip.resize(strip.sizeHint().width() - 1, strip.height());
+        QCOMPARE_GT(strip.height(), row);
+        QCOMPARE_LT(std::abs(topOf(word) - topOf(list)), 2);
+        strip.resize(word.width() + list.width() + 30, strip.height());
+        QCOMPARE_LT(std::abs(topOf(word) - topOf(list)), 2);
+        QCOMPARE_GT(topOf(button) - topOf(list), 10);
+        for (const QWidget* each : {static_cast<const QWidget*>(&word), static_cast<const QWidget*>(&list),
+                                    static_cast<const QWidget*>(&button)})
+            QVERIFY(strip.rect().contains(QRect(each->mapTo(&strip, QPoint()), each->size())));
     }
 
     void theStartPage() {

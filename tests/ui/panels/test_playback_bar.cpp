@@ -13,6 +13,7 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
+#include "tests/ui/english.h"
 #include "tests/ui/panels/panels.h"
 #include "ui/showing/playback_bar.h"
 #include "ui/widgets/scrubber.h"
@@ -61,7 +62,10 @@ public:
     static void initMain() { namePanelTest("TactumPlayback"); }
 
 private slots:
-    void initTestCase() { applyTheme(ThemeChoice::Dark); }
+    void initTestCase() {
+        applyTheme(ThemeChoice::Dark);
+        speakEnglish();
+    }
 
     void aTimeIsTakenByHand() {
         Line line;

@@ -11,6 +11,7 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
+#include "tests/ui/english.h"
 #include "tests/ui/panels/panels.h"
 #include "ui/study/study_desk.h"
 #include "ui/study/study_page.h"
@@ -65,6 +66,7 @@ class TestStudyPanels : public QObject {
 
 private slots:
     static void initMain() { namePanelTest("study"); }
+    static void initTestCase() { speakEnglish(); }
 
     void thePageLooksLikeThis();
     void thePageTellsNothing();

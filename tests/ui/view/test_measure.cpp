@@ -8,6 +8,7 @@
 #include "tests/support/shown.h"
 #include "tests/support/soups.h"
 #include "ui/base/preferences.h"
+#include "ui/view/handles.h"
 #include "ui/view/measure.h"
 
 namespace test_measure {
@@ -119,6 +120,32 @@ private slots:
         QVERIFY(drawn({{0, 0, 0}}, Vec3(0.1, 0, 0)) != drawn({{0, 0, 0}}));
         QVERIFY(drawn({{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}}) != drawn({{0, 0, 0}, {0.1, 0, 0}}));
         QCOMPARE(drawn({{0, 0, 9}, {0, 0.1, 9}}), nothing); // behind the eye
+    }
+
+    void numbersAreBesideWhatCoversThem() {
+        const std::vector<Vec3> points{{-0.1, 0.27, 0}, {0.1, 0.27, 0}, {0.1, 0.2, 0}};
+        const QRectF view(0, 0, 800, 600);
+        const auto usual = measureBoxes(points, camera(), QFont(), {});
+        QCOMPARE(usual.size(), std::size_t(2)); // the distance and the angle
+        for (const QRegion& covered :
+             {QRegion(0, 0, 800, 40), QRegion(0, 0, 500, 80),
+              QRegion(0, 0, 350, 40) + QRegion(0, 40, 700, 40), QRegion(usual[0].toAlignedRect()),
+              QRegion(usual[1].toAlignedRect())}) {
+            const auto boxes = measureBoxes(points, camera(), QFont(), covered);
+            QVERIFY(!boxes[0].intersects(boxes[1]));
+            for (std::size_t i = 0; i < 2; ++i) {
+                QVERIFY(view.contains(boxes[i]));
+                QVERIFY(!covered.intersects(boxes[i].toAlignedRect()));
+                QCOMPARE(boxes[i].size(), usual[i].size());
+                QCOMPARE_LT(lengthOf(boxes[i].center() - usual[i].center()), 200); // still beside its line
+            }
+        }
+        QCOMPARE(measureBoxes(points, camera(), QFont(), QRegion(0, 400, 800, 200)), usual);
+    }
+
+    void numbersAreInsideOfTheView() {
+        const std::vector<Vec3> points{{0.35, 0.298, 0}, {0.39, 0.298, 0}}; // in the upper right corner
+        QVERIFY(QRectF(0, 0, 800, 600).contains(measureBoxes(points, camera(), QFont(), {})[0]));
     }
 
     /// Also while the cursor is off the model, and there is no next one.

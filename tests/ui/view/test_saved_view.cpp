@@ -93,6 +93,20 @@ private slots:
         saved.angle = 1.2;
         COMPARE_NEAR(viewOf(saved, elsewhere()).fieldOfView, 1.2, 1e-12, "rad");
     }
+
+    /// Which a file may have, and which no screen can show.
+    void aLensNextToNoneGivesAView() {
+        for (const double angle :
+             {std::numeric_limits<double>::min(), std::nextafter(std::numbers::pi, 0.0)}) {
+            SavedCamera saved = savedCamera(cameras()[1], "odd");
+            saved.angle = angle;
+            QVERIFY(isCamera(saved));
+            const ViewCamera view = viewOf(saved, elsewhere());
+            const auto seen = view.project(view.focus + 1e-6 * view.right());
+            QVERIFY(seen && std::isfinite(seen->x()) && std::isfinite(seen->y()));
+            QCOMPARE_GT(view.pixelSize(view.focus), 1e-9);
+        }
+    }
 };
 
 TACTUM_TEST(TestSavedView)

@@ -38,4 +38,23 @@ inline void answerTextDialog(const QString& text) {
     timer->start(20);
 }
 
+/// Types a name that another one has into the next such dialog, waits until it says `sentence` with the name
+/// still there, and then types `other`; or gives up where that is empty.
+inline void answerTakenName(const QString& taken, const QString& sentence, const QString& other) {
+    auto* timer = new QTimer;
+    QObject::connect(timer, &QTimer::timeout, timer, [=] {
+        auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+        if (!dialog) return;
+        if (!dialog->labelText().contains(sentence)) {
+            dialog->setTextValue(taken);
+            return dialog->accept();
+        }
+        if (dialog->textValue() != taken) qFatal("what was typed is lost");
+        dialog->setTextValue(other);
+        other.isEmpty() ? dialog->reject() : dialog->accept();
+        timer->deleteLater();
+    });
+    timer->start(20);
+}
+
 } // namespace tactum

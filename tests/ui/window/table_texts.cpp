@@ -4,6 +4,7 @@
 
 #include <QStringList>
 
+#include "core/loop/urgency.h"
 #include "core/paint/brush.h"
 #include "core/safety/inhibit_words.h"
 #include "core/scene/bodies.h"
@@ -11,9 +12,11 @@
 #include "core/study/design.h"
 #include "core/surface/material.h"
 #include "core/surface/shading.h"
+#include "device/registry.h"
 #include "ui/base/preferences.h"
 #include "ui/base/shortcuts.h"
 #include "ui/base/words.h"
+#include "ui/document/preset_store.h"
 #include "ui/engine/device_settings.h"
 #include "ui/tools/paint_goal.h"
 #include "ui/tools/select_tool.h"
@@ -105,6 +108,16 @@ std::set<QString> tableTexts() {
             texts.add(choice);
     }
     addStudies(texts);
+    for (const std::string_view words : kUrgencyWords)
+        texts.add(words);
+    for (const BuiltIn& each : kBuiltIn) {
+        texts.add(each.name);
+        texts.add(each.sentence);
+    }
+    for (const Preset& each : PresetStore::readShipped()) {
+        texts.add(each.name);
+        texts.add(each.category);
+    }
     return texts.all;
 }
 

@@ -69,6 +69,8 @@ private slots:
     void keysLookFromThem();
     void eachEditIsOneStep();
     void oneNameIsOneCamera();
+    void aNameThatIsTakenIsNotLost();
+    void thePaletteHasWhatTheMenuHas();
     void theProjectionComesBack();
     void theyAreInTheFile();
 };
@@ -138,10 +140,48 @@ void TestCameras::oneNameIsOneCamera() {
     keepAs(program, QStringLiteral("front"));
     const Scene before = program.document.scene();
     program.window->view().showStandardView(StandardView::Top);
-    keepAs(program, QStringLiteral("front"));
+    answerTakenName(QStringLiteral("front"), QStringLiteral("Replace by this view"), {});
+    program.command("camera-keep").trigger();
     QVERIFY(program.document.scene() == before);
     keepAs(program, QString()); // thought better of
     QVERIFY(program.document.scene() == before);
+}
+
+void TestCameras::aNameThatIsTakenIsNotLost() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    keepAs(program, QStringLiteral("front"));
+    keepAs(program, QStringLiteral("back"));
+    answerTakenName(QStringLiteral("back"), QStringLiteral("There is a camera back already"),
+                    QStringLiteral("front left"));
+    choose(program, {"Rename the camera", "front"});
+    QTRY_COMPARE_WITH_TIMEOUT(cameras(program)[0].name, std::string("front left"), kPatience);
+    QCOMPARE(program.document.history().count(), 3);
+    answerTextDialog(QStringLiteral("front left")); // its own: nothing is done, and nothing said
+    choose(program, {"Rename the camera", "front left"});
+    QCOMPARE(program.document.history().count(), 3);
+}
+
+void TestCameras::thePaletteHasWhatTheMenuHas() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    keepAs(program, QStringLiteral("front"));
+    const auto run = [&](const QString& typed) {
+        program.command("palette").trigger();
+        auto* line = program.window->findChild<QLineEdit*>(QStringLiteral("palette-line"));
+        QTest::keyClicks(line, typed);
+        QTest::keyPress(line, Qt::Key_Return); // the palette may be gone when the key comes up
+        QTRY_VERIFY_WITH_TIMEOUT(!program.window->findChild<QWidget*>(QStringLiteral("palette")), kPatience);
+    };
+    const SavedCamera before = cameras(program)[0];
+    program.window->view().showStandardView(StandardView::Top);
+    run(QStringLiteral("replace view front"));
+    QTRY_VERIFY_WITH_TIMEOUT(!(cameras(program)[0].pose == before.pose), kPatience);
+    answerTextDialog(QStringLiteral("above"));
+    run(QStringLiteral("rename camera front"));
+    QTRY_COMPARE_WITH_TIMEOUT(cameras(program)[0].name, std::string("above"), kPatience);
+    run(QStringLiteral("remove camera above"));
+    QTRY_VERIFY_WITH_TIMEOUT(cameras(program).empty(), kPatience);
 }
 
 void TestCameras::theProjectionComesBack() {

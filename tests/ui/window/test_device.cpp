@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QMenu>
 #include <QProgressBar>
 #include <QSignalSpy>
 #include <QTest>
@@ -90,6 +91,10 @@ void TestDevice::theListSaysWhatIsThereAndWhyNot() {
     desk.chooseRow("Locked arm");
     QVERIFY(!desk.widget("device-connect-button").isEnabled());
     QVERIFY(!desk.program.command("device-connect").isEnabled());
+    QCOMPARE(desk.program.command("device-connect").toolTip(),
+             QStringLiteral("What is chosen cannot be used; its row says why."));
+    QCOMPARE(desk.program.command("device-disconnect").toolTip(), QStringLiteral("No device is connected."));
+    QVERIFY(static_cast<QMenu*>(&desk.widget("Device"))->toolTipsVisible());
     desk.chooseRow("Example arm");
     QVERIFY(desk.widget("device-connect-button").isEnabled());
     QVERIFY(desk.program.command("device-connect").isEnabled());

@@ -12,6 +12,7 @@
 #include "core/safety/inhibit_words.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "tests/ui/english.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/engine/health_words.h"
@@ -48,7 +49,7 @@ struct TroubledWindow {
     void click(const char* name) { QTest::mouseClick(&widget(name), Qt::LeftButton); }
     bool red() { return widget("statusStrip").property("fault").toBool(); }
     QAction& action(const char* name) {
-        for (const auto* where : {&widget("tools"), &widget("Device")})
+        for (const auto* where : {&widget("forces"), &widget("tools"), &widget("Device")})
             for (QAction* action : where->actions())
                 if (action->objectName() == QLatin1String(name)) return *action;
         qFatal("no action %s", name);
@@ -243,6 +244,7 @@ void TestHealth::detailThatIsLeftOutIsSaid() {
 }
 
 void TestHealth::periodsAreCountedInTheirBins() {
+    test::speakEnglish();
     PeriodHistogram periods;
     for (int i = 0; i < 997; ++i)
         periods.add(7);
@@ -252,8 +254,8 @@ void TestHealth::periodsAreCountedInTheirBins() {
     PeriodChart chart;
     chart.setPeriods(periods, 1000);
     QCOMPARE(chart.figuresOf(2), QStringLiteral("5 to 10 \u00b5s: 997 ticks, 100 %"));
-    QCOMPARE(chart.figuresOf(6), QStringLiteral("100 to 200 \u00b5s: 1 ticks, 0.1 %"));
-    QCOMPARE(chart.figuresOf(11), QStringLiteral("more than 5000 \u00b5s: 1 ticks, 0.1 %"));
+    QCOMPARE(chart.figuresOf(6), QStringLiteral("100 to 200 \u00b5s: 1 tick, 0.1 %"));
+    QCOMPARE(chart.figuresOf(11), QStringLiteral("more than 5000 \u00b5s: 1 tick, 0.1 %"));
 }
 
 void TestHealth::whatLimitsTheStiffnessIsSaid() {

@@ -1,16 +1,23 @@
 // The window in German. The oracle of what has to be translated is lupdate, Qt's own reader of sources, and
 // what the tables hold; that words are right no test can see.
+#include <cerrno>
+#include <cstring>
+
 #include <QDialog>
 #include <QDir>
 #include <QDockWidget>
 #include <QFile>
+#include <QLabel>
 #include <QMenuBar>
 #include <QMutex>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTest>
+#include <QTreeWidget>
+#include <QUndoStack>
 #include <QXmlStreamReader>
 
+#include "core/loop/urgency.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/table_texts.h"
@@ -18,6 +25,7 @@
 #include "ui/base/language.h"
 #include "ui/base/mnemonics.h"
 #include "ui/base/preferences.h"
+#include "ui/base/words.h"
 
 namespace test_language {
 
@@ -124,6 +132,9 @@ private slots:
     void everyTextHasWords();
     void nothingIsMissingOrGone();
     void theWindowIsGerman();
+    void whatTheProgramBringsIsGerman();
+    void theLoopsAreSaidInGerman();
+    void oneIsNotMany();
     void otherLanguagesStayEnglish();
 };
 
@@ -179,6 +190,73 @@ void TestLanguage::theWindowIsGerman() {
     }
     QCoreApplication::removeTranslator(&german);
     QCOMPARE(german.missed().join(u'\n'), QString());
+}
+
+void TestLanguage::whatTheProgramBringsIsGerman() {
+    Language german;
+    QVERIFY(german.begin(QStringLiteral("de")));
+    QVERIFY(QCoreApplication::installTranslator(&german));
+    {
+        TouchedWindow program({1500, 900});
+        QVERIFY(program.open(writeCube(folder_)));
+        const auto* device = program.window->findChild<QLabel*>(QStringLiteral("status-device"));
+        QTRY_VERIFY_WITH_TIMEOUT(device->text().startsWith(QStringLiteral("Simulierte Hand")), kPatience);
+        auto* presets = program.window->findChild<QTreeWidget*>(QStringLiteral("preset-list"));
+        QTRY_VERIFY_WITH_TIMEOUT(presets->topLevelItemCount() > 20, kPatience);
+        const auto honey = presets->findItems(QStringLiteral("Honig"), Qt::MatchExactly);
+        QCOMPARE(honey.size(), 1);
+        QVERIFY(presets->findItems(QStringLiteral("Honey"), Qt::MatchExactly).isEmpty());
+        presets->setCurrentItem(honey.front());
+        program.document.select(SurfaceRef{program.document.scene().objects[0].id, 0});
+        program.command("preset-apply").trigger();
+        COMPARE_CONTAINS(program.document.history().undoText(), QStringLiteral("Honig"));
+        // What is the person's is theirs.
+        const auto before = program.document.scene().objects[0].name;
+        QCOMPARE(before, std::string("cube"));
+    }
+    QCoreApplication::removeTranslator(&german);
+}
+
+void TestLanguage::theLoopsAreSaidInGerman() {
+    Language german;
+    QVERIFY(german.begin(QStringLiteral("de")));
+    QVERIFY(QCoreApplication::installTranslator(&german));
+    const auto words = [](const Urgency& urgency, int unlocked) {
+        return wordsInside(sentenceOf(urgency, unlocked), kUrgencyWords);
+    };
+    COMPARE_BEGINS(words({.asked = 80, .priority = 80}, 0), QStringLiteral("Echtzeit"));
+    const Urgency states[] = {
+        {.asked = 80, .refusal = EPERM},
+        {.asked = 80, .refusal = EPERM, .nice = -11, .slice = true},
+        {.asked = 80, .priority = 20, .broker = PriorityBroker::RealtimeKit, .refusal = EPERM},
+        {.asked = 80, .priority = 20, .broker = PriorityBroker::Portal, .refusal = EPERM}};
+    for (const Urgency& urgency : states)
+        for (const int unlocked : {0, ENOMEM}) {
+            QString said = words(urgency, unlocked);
+            said.remove(QString::fromLocal8Bit(std::strerror(EPERM)));
+            for (const char* english : {" the ", " with ", " by ", " and ", "priority", "allow"})
+                QVERIFY2(!said.contains(QLatin1String(english)), qPrintable(said));
+        }
+    QCoreApplication::removeTranslator(&german);
+}
+
+void TestLanguage::oneIsNotMany() {
+    Language english;
+    QVERIFY(english.begin(QStringLiteral("en")));
+    QVERIFY(QCoreApplication::installTranslator(&english));
+    for (const Text& each : textsOf(translations_ + QStringLiteral("/tactum_en.ts"))) {
+        QCOMPARE(each.words.size(), 2);
+        QVERIFY2(!each.words.join(u' ').contains(QStringLiteral("(s)")), qPrintable(each.english));
+        QVERIFY(each.words[0] != each.words[1]);
+        for (const int count : {1, 2}) {
+            const QString said = QObject::tr(qPrintable(each.english), nullptr, count);
+            QCOMPARE(said,
+                     QString(each.words[count - 1]).replace(QStringLiteral("%n"), QString::number(count)));
+        }
+    }
+    QCOMPARE(QObject::tr("%n trial(s)", nullptr, 1), QStringLiteral("1 trial"));
+    QCOMPARE(QObject::tr("%n trial(s)", nullptr, 12), QStringLiteral("12 trials"));
+    QCoreApplication::removeTranslator(&english);
 }
 
 void TestLanguage::otherLanguagesStayEnglish() {

@@ -1,4 +1,5 @@
 // Measuring as a person does: by key, clicks on the model, the row over the view, Esc.
+#include <algorithm>
 #include <cmath>
 
 #include <QAction>
@@ -53,7 +54,36 @@ private slots:
     void aBodyTakesItsPointsAlong();
     void copyPutsTheNumbersOnTheClipboard();
     void itGoesWithWhatItIsOf();
+    void rowsOfToolsDoNotHideTheNumber();
 };
+
+// The upper edge of the cube just below the row.
+void TestMeasuring::rowsOfToolsDoNotHideTheNumber() {
+    TouchedWindow program;
+    begin(program);
+    SceneView& view = program.window->view();
+    view.showStandardView(StandardView::Front);
+    program.frames(5);
+    QVERIFY(strip(program).isVisible());
+    const int foot = view.mapFrom(program.window.get(), program.placeOf(strip(program)).bottomLeft()).y();
+    const Vec3 left(-0.05, 0.05, 0.05), right(0.05, 0.05, 0.05);
+    while (view.camera().project(left)->y() > foot + 12)
+        view.moveCamera(0, 0, 0.99);
+    click(program, left, {2, 2});
+    click(program, right, {-2, 2});
+    QCOMPARE(measured(program).size(), std::size_t(2));
+    const auto isSeen = [&] {
+        const auto boxes = view.measuredBoxes();
+        const QRectF& box = boxes.at(0);
+        return std::ranges::all_of(
+            std::vector{box.topLeft(), box.topRight(), box.center(), box.bottomLeft()}, [&](QPointF corner) {
+                return program.window->childAt(view.mapTo(program.window.get(), corner.toPoint())) == &view;
+            });
+    };
+    QVERIFY2(isSeen(), "the row hides the number");
+    program.window->showFault(QStringLiteral("The disk is full; make room and save again."));
+    QTRY_VERIFY2_WITH_TIMEOUT(isSeen(), "the notice hides the number", kPatience);
+}
 
 // The cube's face toward +z: its corners are 0.1 m apart.
 void TestMeasuring::twoClicksAreTheDistance() {
