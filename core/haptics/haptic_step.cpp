@@ -194,11 +194,11 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
     return hand.output;
 }
 
-void rehearse(const World& world, const SimState& state, const HapticInput& next, double dt,
+void rehearse(const World& world, const HandState& state, double time, const HapticInput& next, double dt,
               ProxyState& copy) noexcept {
     if (state.shapeRevision != world.shapeRevision || !next.finger.allFinite()) return;
     copy = state.proxy;
-    const StepMotions movers(world.movers, state.time, state.time, world.drivenMotions());
+    const StepMotions movers(world.movers, time, time, world.drivenMotions());
     moveAndUpdate(copy, world.obstaclesAt(next.fidelity), world.proxyRadius, next.finger, dt, movers,
                   roundsAt(next.fidelity), &world.near);
 }

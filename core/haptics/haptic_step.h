@@ -97,11 +97,11 @@ void hapticStep(const World& world, WorldState& shared, std::span<HandStep> hand
 HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt,
                         const BodiesTime& bodies = {}) noexcept;
 
-/// Goes the way that the next step is likely to go, on a copy of the proxy: what of the mesh it will look at
-/// is in the caches then. Neither the world nor the state changes, and so no bit of any step. `next`: the
-/// finger as it will be. `copy`: room for the copy, which is too large for a stack; what it holds is lost.
-/// Thread: real time; as long as a step.
-void rehearse(const World& world, const SimState& state, const HapticInput& next, double dt,
+/// Goes the way that the next step of a hand is likely to go, on a copy of its proxy: what of the mesh it
+/// will look at is in the caches then. Neither the world nor a state changes, and so no bit of any step.
+/// `time`: WorldState::time. `next`: the finger as it will be. `copy`: room for the copy, which is too large
+/// for a stack; what it holds is lost. Thread: real time; as long as a step of one hand.
+void rehearse(const World& world, const HandState& state, double time, const HapticInput& next, double dt,
               ProxyState& copy) noexcept;
 
 } // namespace tactum

@@ -19,7 +19,8 @@ Result<void> obeyOf(Stage& stage, ClientId who, const v1::OrderRequest& request)
     };
     switch (request.what_case()) {
     case Request::kArm:
-        return stage.arm(who, request.arm(), all);
+        // Who names none may not see the others: nobody gets a force unseen.
+        return stage.arm(who, request.arm(), request.arm() ? Stage::OfHand(one) : all);
     case Request::kRestart:
         return stage.order(who, one, done([](Hand& hand) { hand.restartProxy(); }));
     case Request::kFade:

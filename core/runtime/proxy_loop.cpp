@@ -30,6 +30,10 @@ struct Proxy {
     double begun = 0; ///< s, when the metronome was made, on the recorder's clock
 };
 
+const HandState& stateOf(const Proxy& proxy, std::size_t hand) noexcept {
+    return hand == 0 ? proxy.state : proxy.others[hand - 1];
+}
+
 /// Of every hand.
 using Fingers = PerHand<FingerSample>;
 
@@ -125,8 +129,7 @@ PerHand<HapticOutput> step(Proxy& proxy, const Fingers& fingers, const Tick& tic
 void publishModels(Proxy& proxy) noexcept {
     for (std::size_t i = 0; i < proxy.channels.hands(); ++i) {
         HandChannels& hand = proxy.channels.hand(i);
-        const HandState& state = i == 0 ? proxy.state : proxy.others[i - 1];
-        hand.contactModel.write({state.model, hand.recorder.proxyCount()});
+        hand.contactModel.write({stateOf(proxy, i).model, hand.recorder.proxyCount()});
     }
 }
 
@@ -165,15 +168,18 @@ void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const 
 }
 
 // Between two steps the caches forget the mesh. Where there is time the next step is gone through beforehand,
-// with the finger where it will be then if it goes on as it does.
-void rehearseNext(Proxy& proxy, const FingerSample& finger, const Tick& tick, double period) noexcept {
-    if (!finger.valid) return;
-    const double spent = 1e-9 * double(monotonicNanoseconds() - tick.woke);
-    if (spent > kRehearsed * period) return;
-    const HapticInput next{.finger = finger.position + period * finger.velocity,
-                           .fingerVelocity = finger.velocity,
-                           .fidelity = proxy.ladder.fidelity()};
-    rehearse(*proxy.world, proxy.state, next, period, proxy.rehearsed);
+// hand by hand, with each finger where it will be then if it goes on as it does.
+void rehearseNext(Proxy& proxy, const Fingers& fingers, const Tick& tick, double period) noexcept {
+    for (std::size_t i = 0; i < proxy.channels.hands(); ++i) {
+        const double spent = 1e-9 * double(monotonicNanoseconds() - tick.woke);
+        if (spent > kRehearsed * period) return;
+        const FingerSample& finger = fingers[i];
+        if (!finger.valid) continue;
+        const HapticInput next{.finger = finger.position + period * finger.velocity,
+                               .fingerVelocity = finger.velocity,
+                               .fidelity = proxy.ladder.fidelity()};
+        rehearse(*proxy.world, stateOf(proxy, i), proxy.state.time, next, period, proxy.rehearsed);
+    }
 }
 
 } // namespace
@@ -201,7 +207,7 @@ void proxyLoop(Channels& channels, double rate, double budget) noexcept {
         publishModels(proxy);
         reportOthers(proxy, outputs, fingers);
         report(proxy, outputs[0], fingers[0].position, tick, 1e-3 * double(monotonicNanoseconds() - begun));
-        rehearseNext(proxy, fingers[0], tick, metronome.period());
+        rehearseNext(proxy, fingers, tick, metronome.period());
     }
 }
 

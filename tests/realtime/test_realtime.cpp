@@ -217,7 +217,7 @@ private slots:
             const PageFaults before = PageFaults::now();
 
             const RealtimeScope scope;
-            rehearse(worlds.current(), state, {finger, velocity}, kStep, *rehearsed);
+            rehearse(worlds.current(), state, state.time, {finger, velocity}, kStep, *rehearsed);
             const HapticOutput output = hapticStep(worlds.current(), state, {finger, velocity}, kStep);
             state.model.anchoring = servo.gate.anchoring();
             const Vec3 force =

@@ -281,7 +281,7 @@ void DeviceController::showCommands() {
     const bool live = !bench_.playback.active();
     const QString shown = live ? QString() : whyOff({}, true);
     const std::size_t hands = live ? link_.hands().count() : bench_.playback.player().run().hands();
-    bench_.actions.allow("hand-add", live ? link_.whyNotAdd(panel_.connecting().chosen()) : shown);
+    bench_.actions.allow("hand-add", live ? panel_.connecting().whyNotAdd() : shown);
     bench_.actions["hand-next"].setEnabled(hands > 1);
     bench_.actions["hand-remove"].setEnabled(live && link_.hands().chosen() > 0);
     bench_.actions.allow("device-connect", panel_.connecting().whyNotConnect());

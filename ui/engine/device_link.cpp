@@ -95,7 +95,9 @@ void DeviceLink::look() {
 void DeviceLink::listed(std::vector<DeviceListing> found, const Made& spare) {
     listing_ = false;
     if (spare) spare_ = spare;
-    const bool troubled = connected() && !hands_.trouble(0).empty();
+    std::size_t troubled = 0;
+    for (std::size_t hand = 0; hand < hands_.count(); ++hand)
+        troubled += !hands_.trouble(hand).empty();
     const bool changed = found != devices_ || spare || troubled != troubled_;
     troubled_ = troubled;
     devices_ = std::move(found);
@@ -175,6 +177,10 @@ bool DeviceLink::uses(const QString& id) const {
 // By value: it may be the name of the current device, which changes on the way.
 void DeviceLink::choose(QString id) {
     if (!catalogue_ || id.isEmpty()) return;
+    if (const auto hand = besideInTrouble(id)) {
+        drop(*hand);
+        return add(id);
+    }
     if (id != kSimulatedDevice && id != current() && uses(id)) return; // another hand has it
     wanted_ = id;
     QSettings().setValue(chosenKey(), id);
@@ -197,7 +203,7 @@ QString DeviceLink::whyNotBegin(const QString& id) const {
     if (preparing()) return whyWhilePreparing();
     if (id == current())
         return connected() && !hands_.trouble(0).empty() ? QString() : tr("This device is in use already.");
-    const bool free = !uses(id) || id == kSimulatedDevice;
+    const bool free = !uses(id) || id == kSimulatedDevice || besideInTrouble(id);
     return free ? QString() : tr("Another hand has this device; remove that hand first.");
 }
 

@@ -83,8 +83,8 @@ public:
     const Preparation& preparation() const { return preparation_; }
 
     // Why not, one sentence for the person; empty: it may be done. An empty `id` is no device.
-    /// Why choose() would not make it ready: another one than the current, or the current one when it is in
-    /// trouble.
+    /// Why choose() would not make it ready: another one than those of the hands, or one of these when it is
+    /// in trouble.
     QString whyNotBegin(const QString& id) const;
     /// Why choosing the simulated device would change nothing.
     QString whyNotLetGo() const;
@@ -159,6 +159,8 @@ private:
     using Made = std::shared_ptr<std::unique_ptr<HapticDevice>>;
 
     static QString whyWhilePreparing();
+    /// The hand beside the first that has a device and cannot go on with it.
+    std::optional<std::size_t> besideInTrouble(const QString& id) const;
     void list();
     void listed(std::vector<DeviceListing> found, const Made& spare);
     bool isLost(std::size_t hand);
@@ -201,7 +203,7 @@ private:
     bool wantedThere_ = false;      ///< when it was last looked for
     bool looked_ = false;           ///< for the first time
     bool listing_ = false, again_ = false;
-    bool troubled_ = false; ///< the current device, when it was last looked at
+    std::size_t troubled_ = 0; ///< hands whose device was in trouble when it was last looked
     Preparation preparation_;
     std::shared_ptr<Attempt> attempt_;
     QTimer timer_;

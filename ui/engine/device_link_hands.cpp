@@ -56,6 +56,12 @@ void DeviceLink::takeOut(std::size_t hand) {
         emit failed(QString::fromStdString(removed.error().text));
 }
 
+std::optional<std::size_t> DeviceLink::besideInTrouble(const QString& id) const {
+    for (std::size_t hand = 1; hand < used_.size(); ++hand)
+        if (used_[hand].id == id && !hands_.trouble(hand).empty()) return hand;
+    return std::nullopt;
+}
+
 void DeviceLink::letGoOfLost() {
     for (std::size_t hand = used_.size(); hand-- > 1;)
         if (used_[hand].gone) drop(hand);

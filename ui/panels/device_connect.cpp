@@ -170,6 +170,10 @@ QString DeviceConnect::whyNotConnect() const {
     return whyNotOf(&DeviceLink::whyNotBegin);
 }
 
+QString DeviceConnect::whyNotAdd() const {
+    return whyNotOf(&DeviceLink::whyNotAdd);
+}
+
 QString DeviceConnect::whyNotOf(QString (DeviceLink::*why)(const QString&) const) const {
     if (!server_->isHidden()) return tr("The device is at the haptic server, and is chosen there.");
     const QTreeWidgetItem* row = list_->currentItem();
@@ -239,8 +243,7 @@ void DeviceConnect::follow() {
     }
     allow(*connect_, tr("Make the chosen device ready, step by step"), whyNotConnect());
     allow(*disconnect_, tr("Give the device back; the mouse leads a simulated hand"), link_.whyNotLetGo());
-    allow(*add_, tr("Make the chosen device ready as one more hand; those that there are stay"),
-          whyNotOf(&DeviceLink::whyNotAdd));
+    allow(*add_, tr("Make the chosen device ready as one more hand; those that there are stay"), whyNotAdd());
     emit chosenChanged();
 }
 

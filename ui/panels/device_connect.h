@@ -23,6 +23,7 @@ public:
     QString chosen() const;
     /// Why what is chosen cannot be connected; empty: it can.
     QString whyNotConnect() const;
+    QString whyNotAdd() const;
     /// The device is at a haptic server and nothing can be chosen here. `device`: its name; empty while the
     /// server is not there.
     void showServer(const QString& place, const QString& device);

@@ -54,6 +54,7 @@ PlaybackBar::PlaybackBar(QWidget* parent)
     hand_->setObjectName(QStringLiteral("playback-hand"));
     hand_->setToolTip(tr("Whose plots, trail and status are shown"));
     hand_->setAccessibleName(hand_->toolTip());
+    hand_->hide();
     event_->setObjectName(QStringLiteral("playback-event"));
     event_->setProperty("dimmed", true);
     event_->setMinimumWidth(1);

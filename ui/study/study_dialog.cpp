@@ -16,6 +16,8 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRandomGenerator>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
@@ -67,13 +69,19 @@ public:
           buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
         setObjectName(QStringLiteral("study-dialog"));
         setWindowTitle(QObject::tr("Procedure and questions"));
-        auto* columns = new QHBoxLayout;
+        content_ = new QWidget;
+        auto* columns = new QHBoxLayout(content_);
+        columns->setContentsMargins({});
         columns->setSpacing(3 * kRhythm);
         columns->addWidget(makeProcedure());
         columns->addWidget(makeStaircase(surfaces));
         columns->addWidget(makeQuestions());
+        scrolled_ = new QScrollArea;
+        scrolled_->setFrameShape(QFrame::NoFrame);
+        scrolled_->setWidgetResizable(true);
+        scrolled_->setWidget(content_);
         auto* rows = new QVBoxLayout(this);
-        rows->addLayout(columns);
+        rows->addWidget(scrolled_, 1);
         summary_ = new QLabel;
         summary_->setObjectName(QStringLiteral("study-dialog-summary"));
         summary_->setTextFormat(Qt::PlainText);
@@ -86,6 +94,11 @@ public:
     }
 
     const StudyDesign& design() const { return design_; }
+    /// All of it where the screen has room; what has none is scrolled to.
+    QSize sizeHint() const override {
+        const QSize all = QDialog::sizeHint() - scrolled_->sizeHint() + content_->sizeHint();
+        return all.boundedTo(screen()->availableSize());
+    }
 
 private:
     QLineEdit* line(const char* name, const std::string& text) {
@@ -309,6 +322,8 @@ private:
         summary_->setText(fault.isEmpty() ? summaryOf(design_) : fault);
     }
 
+    QWidget* content_ = nullptr;
+    QScrollArea* scrolled_ = nullptr;
     StudyDesign design_;
     QDialogButtonBox* buttons_;
     QLabel* summary_ = nullptr;

@@ -69,10 +69,17 @@ std::vector<std::vector<WrappingRow::Unit>> WrappingRow::rowsIn(int width) const
     const QMargins margins = contentsMargins();
     const int room = width - margins.left() - margins.right();
     std::vector<std::vector<Unit>> rows;
-    for (Unit& unit : units()) {
+    const auto place = [&](Unit unit) {
         const bool fits = !rows.empty() && widthOf(rows.back()) + spacing() + unit.width <= room;
         if (!fits) rows.emplace_back();
         rows.back().push_back(std::move(unit));
+    };
+    for (const Unit& unit : units()) {
+        if (unit.width <= room)
+            place(unit);
+        else // words that leave no room for what follows them
+            for (QLayoutItem* item : unit.items)
+                place({{item}, std::min(sizeOf(*item).width(), room)});
     }
     return rows;
 }
@@ -97,7 +104,8 @@ QSize WrappingRow::minimumSize() const {
     const QMargins margins = contentsMargins();
     int widest = 0;
     for (const Unit& unit : units())
-        widest = std::max(widest, unit.width);
+        for (const QLayoutItem* item : unit.items)
+            widest = std::max(widest, sizeOf(*item).width());
     return {widest + margins.left() + margins.right(), sizeHint().height()};
 }
 
@@ -110,7 +118,7 @@ void WrappingRow::setGeometry(const QRect& rect) {
         int x = inside.left();
         for (const Unit& unit : row)
             for (QLayoutItem* item : unit.items) {
-                const QSize size = sizeOf(*item);
+                const QSize size = sizeOf(*item).boundedTo({inside.width(), QWIDGETSIZE_MAX});
                 item->setGeometry({{x, y + (height - size.height()) / 2}, size});
                 x += size.width() + spacing();
             }

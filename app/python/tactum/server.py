@@ -53,6 +53,12 @@ def _plainly():
         raise Error("this client is closed: connect anew") from None
 
 
+def _number(hand):
+    if not isinstance(hand, int) or hand < 0:
+        raise Error(f"hand: {hand!r} is no number of a hand; they are counted from 0")
+    return hand
+
+
 def _secrets(folder, certificate, token):
     """Certificate and token as they are sent, from files or as given."""
     try:
@@ -231,7 +237,7 @@ class Client:
 
     def push(self, force, hand=0):
         """Adds a force (N) to what a hand's finger feels; say it again within 100 ms, or it fades."""
-        self._words.put(pb.Word(push=pb.Push(force=_vector(force), hand=hand)))
+        self._words.put(pb.Word(push=pb.Push(force=_vector(force), hand=_number(hand))))
 
     # ---- the scene ----
 
@@ -336,9 +342,10 @@ class Client:
 
     # ---- orders ----
 
-    def _order(self, **what):
+    def _order(self, of=None, **what):
+        of = None if of is None else _number(of)
         with _plainly():
-            return self._stub.Order(pb.OrderRequest(key=self.welcome.key, **what))
+            return self._stub.Order(pb.OrderRequest(key=self.welcome.key, of=of, **what))
 
     def stop(self):
         """All force of all hands ends, whoever has the pen."""
@@ -346,6 +353,8 @@ class Client:
 
     def arm(self, on=True, hand=None):
         """The force of a hand, or of all of them, on or off."""
+        if hand is None and on:  # who names none means the first
+            return [self._order(of=each, arm=True) for each in range(len(self.devices))][-1]
         return self._order(of=hand, arm=on)
 
     def ask_for_pen(self):

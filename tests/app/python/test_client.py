@@ -59,6 +59,9 @@ class Client(unittest.TestCase):
                 haptics.lead_hand((0, 0, 0), hand=2)
             with self.assertRaisesRegex(tactum.Error, "there is no hand 7"):
                 haptics.arm(hand=7)
+            for none in (-1, "x", 1.5):
+                with self.assertRaisesRegex(tactum.Error, "no number of a hand"):
+                    haptics.arm(hand=none)
 
     def test_stop_ends_the_force(self):
         self.press()

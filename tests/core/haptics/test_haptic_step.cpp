@@ -254,8 +254,9 @@ void HapticStepTest::aRehearsalChangesNothing() {
     for (int i = 0; i < 2000; ++i) {
         const Vec3 finger(-0.02 + 2e-5 * i, 0.01 * std::sin(0.01 * i), 0.002 * std::cos(0.02 * i));
         const HapticInput input{finger, (finger - before) / kMillisecond};
-        rehearse(*world, rehearsed, input, kMillisecond, copy);
-        rehearse(*world, rehearsed, {.finger = Vec3(0, 0, -0.01 * (i % 3))}, kMillisecond, copy);
+        rehearse(*world, rehearsed, rehearsed.time, input, kMillisecond, copy);
+        rehearse(*world, rehearsed, rehearsed.time, {.finger = Vec3(0, 0, -0.01 * (i % 3))}, kMillisecond,
+                 copy);
         const HapticOutput a = hapticStep(*world, plain, input, kMillisecond);
         const HapticOutput b = hapticStep(*world, rehearsed, input, kMillisecond);
         QVERIFY2(sameState(plain, rehearsed) && sameBits(a.force, b.force), qPrintable(QString::number(i)));

@@ -24,9 +24,10 @@ double forceOf(std::size_t hand) {
     return kStiffness.initial * kDepths[hand];
 }
 
-v1::OrderRequest arm(bool on) {
+v1::OrderRequest arm(bool on, std::uint32_t hand) {
     v1::OrderRequest request;
     request.set_arm(on);
+    request.set_of(hand);
     return request;
 }
 
@@ -36,7 +37,7 @@ bool feels(const Served& served, std::size_t hand, double force) {
 
 /// Both fingers go in, each to its own depth, when the force is all there.
 bool pressBoth(Served& served, Guest& guest) {
-    if (!guest.order(arm(true)).ok()) return false;
+    if (!guest.order(arm(true, 0)).ok() || !guest.order(arm(true, 1)).ok()) return false;
     if (!eventually([&] {
             const v1::State state = guest.newest();
             return state.gain() == 1 && state.other_size() == 1 && state.other(0).gain() == 1;
@@ -65,6 +66,7 @@ private slots:
     }
     void aGuestSeesWhatEachHandFeels();
     void stopIsForAll();
+    void whoNamesNoHandMeansTheFirstByForcesOnAndAllByForcesOff();
     void theForceOfAllFadesWithWhoHadThePen();
     void anOrderIsForTheHandThatItNames();
     void aPushIsOnTheHandThatItNames();
@@ -110,6 +112,22 @@ void TestServerHands::stopIsForAll() {
     QVERIFY(!served_->stage->armed());
 }
 
+// A client that knows of one hand gives none to those that it does not see, and ends that of all.
+void TestServerHands::whoNamesNoHandMeansTheFirstByForcesOnAndAllByForcesOff() {
+    v1::OrderRequest on, off;
+    on.set_arm(true);
+    off.set_arm(false);
+    QVERIFY(guest_->order(on).ok());
+    QVERIFY(eventually([&] { return guest_->newest().armed(); }));
+    const std::uint64_t seen = guest_->newest().number();
+    QVERIFY(eventually([&] { return guest_->newest().number() > seen + 10; }));
+    QVERIFY(!guest_->newest().other(0).armed());
+    QVERIFY(pressBoth(*served_, *guest_));
+    QVERIFY(guest_->order(off).ok());
+    QVERIFY(eventually([&] { return served_->push(0) == 0 && served_->push(1) == 0; }));
+    QVERIFY(eventually([&] { return !guest_->newest().armed() && !guest_->newest().other(0).armed(); }));
+}
+
 void TestServerHands::theForceOfAllFadesWithWhoHadThePen() {
     QVERIFY(pressBoth(*served_, *guest_));
     guest_->leave();
@@ -118,8 +136,7 @@ void TestServerHands::theForceOfAllFadesWithWhoHadThePen() {
 }
 
 void TestServerHands::anOrderIsForTheHandThatItNames() {
-    v1::OrderRequest second = arm(true);
-    second.set_of(1);
+    v1::OrderRequest second = arm(true, 1);
     v1::OrderReply reply;
     QVERIFY(guest_->order(second, &reply).ok());
     QVERIFY(reply.armed());

@@ -369,6 +369,7 @@ private slots:
         page.showServer(QStringLiteral("lab:51270"), QStringLiteral("Example arm"));
         COMPARE_SHOWN(shownIn(page), "connect-server");
         QCOMPARE(page.whyNotConnect(), "The device is at the haptic server, and is chosen there.");
+        QCOMPARE(page.whyNotAdd(), page.whyNotConnect());
         page.showServer(QStringLiteral("lab:51270"), {});
         COMPARE_CONTAINS(part<QLabel>(page, "device-at-server").text(),
                          QStringLiteral("lab:51270 is not there"));

@@ -13,6 +13,7 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
+#include "tests/ui/english.h"
 #include "tests/ui/panels/panels.h"
 #include "tests/ui/panels/touch_traces.h"
 #include "ui/panels/flat_swatch.h"
@@ -74,7 +75,10 @@ public:
     static void initMain() { namePanelTest("TactumFigures"); }
 
 private slots:
-    void initTestCase() { applyTheme(ThemeChoice::Dark); }
+    void initTestCase() {
+        speakEnglish();
+        applyTheme(ThemeChoice::Dark);
+    }
 
     void lampsOfButtons() {
         ButtonLamps lamps;

@@ -50,6 +50,7 @@ private slots:
     void whatIsLostWithoutForceGoesAtOnce();
     void theSimulatedHandBesideADevice();
     void whatDoesNotStartLeavesTheFirst();
+    void aSecondOneThatFailedIsOpenedAgain();
     void bothAreDrawn();
     void aRecordingHoldsBoth();
     void handsHaveKeys();
@@ -208,6 +209,21 @@ void TestHandsTogether::whatDoesNotStartLeavesTheFirst() {
     QTRY_COMPARE_WITH_TIMEOUT(two.engine().hands(), std::size_t(2), kPatience);
 }
 
+void TestHandsTogether::aSecondOneThatFailedIsOpenedAgain() {
+    TwoArms two(folder_);
+    QVERIFY(two.bothAreThere());
+    QVERIFY(two.press());
+    two.desk.chooseRow("Other arm");
+    QVERIFY(!two.desk.widget("device-connect-button").isEnabled());
+    two.other->broken = true;
+    QTRY_VERIFY_WITH_TIMEOUT(two.desk.widget("device-connect-button").isEnabled(), kPatience);
+    two.desk.click("device-connect-button");
+    QTRY_COMPARE_WITH_TIMEOUT(two.other->prepared, 2, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(two.engine().hands(), std::size_t(2), kPatience);
+    QCOMPARE(two.engine().hand(1).trouble(), std::string());
+    QVERIFY(two.press());
+}
+
 void TestHandsTogether::bothAreDrawn() {
     TwoArms two(folder_);
     QVERIFY(two.desk.connectIt());
@@ -289,14 +305,18 @@ void TestHandsTogether::commandsSayWhyTheyCannot() {
         return two.program().command(command).isEnabled() ? QString()
                                                           : whyOff(QString::fromLatin1(command), false);
     };
-    COMPARE_CONTAINS(off("hand-add"), QStringLiteral("that no hand has")); // it is the first's
+    const auto& add = two.program().command("hand-add");
+    const QString taken = QStringLiteral("A hand has this device already.");
+    QVERIFY(!add.isEnabled()); // it is the first's
+    COMPARE_CONTAINS(add.toolTip(), taken);
     COMPARE_BEGINS(off("hand-next"), QStringLiteral("There is one hand"));
     COMPARE_BEGINS(off("hand-remove"), QStringLiteral("The first hand is chosen"));
     two.desk.chooseRow("Other arm");
-    QCOMPARE(off("hand-add"), QString());
+    QVERIFY(add.isEnabled());
     QVERIFY(two.addOther());
-    COMPARE_CONTAINS(off("hand-add"), QStringLiteral("that no hand has"));
+    COMPARE_CONTAINS(add.toolTip(), taken);
     QCOMPARE(off("hand-next"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(two.desk.widget("hand-list").isVisible(), kPatience);
     two.desk.click("hand-1");
     QCOMPARE(off("hand-remove"), QString());
 }

@@ -218,6 +218,9 @@ void TestStudy::anAbxFromNothingToItsLogs() {
     keepAs(program, QStringLiteral("stiff"));
     inDialog([](QDialog& dialog) {
         in<QComboBox>(dialog, "study-kind").setCurrentIndex(int(Procedure::Abx));
+        // It goes onto a small screen: what has no room is scrolled to.
+        QCOMPARE_LE(dialog.minimumSizeHint().width(), 900);
+        QCOMPARE_LE(dialog.minimumSizeHint().height(), 560);
         in<QSpinBox>(dialog, "study-repeats").setValue(kTrials);
     });
     program.command("study-edit").trigger();
