@@ -37,7 +37,8 @@ namespace {
 bool areBothThere(TwoArms& two) {
     return test::waitFor([&] {
         return two.engine().hands() == 2 && two.desk.link().current() == kFake &&
-               two.desk.link().idOf(1) == kOther && !two.desk.link().preparing();
+               two.desk.link().idOf(1) == kOther && !two.desk.link().preparing() &&
+               two.program().window->findChild<QWidget*>(QStringLiteral("hand-remove-1")); // and shown
     });
 }
 
