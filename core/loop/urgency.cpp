@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -54,6 +55,7 @@ bool grantedSlice(int nice) noexcept {
 
 /// Of kUrgencyWords.
 enum Said { Granted, WithPriority, WithNone, ByKit, ByPortal, WithSlices, WithTimers, Swapped, Remedy };
+static_assert(std::size(kUrgencyWords) == Remedy + 1);
 
 std::string said(Said what) {
     return std::string(kUrgencyWords[what]);
