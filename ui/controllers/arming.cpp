@@ -18,6 +18,10 @@ QString armAgain() {
     return Arming::tr("Arm again");
 }
 
+QString openAgain() {
+    return Arming::tr("Open again");
+}
+
 } // namespace
 
 Arming::Arming(Engine& engine, Actions& actions, SceneView& view, NoticeBar& notice, GuardWatch& guard,
@@ -38,9 +42,25 @@ bool Arming::faulty() const {
     return guard_.fault().has_value();
 }
 
+/// What its driver cannot get over by itself no arming brings back.
+std::optional<std::size_t> Arming::brokenHand() const {
+    const auto hand = guard_.faultyHand();
+    const bool broken = hand && *guard_.fault() == InhibitReason::DeviceLost && link_.leadsItself(*hand) &&
+                        !hands_.trouble(*hand).empty();
+    return broken ? hand : std::nullopt;
+}
+
+QString Arming::again() const {
+    return brokenHand() ? openAgain() : armAgain();
+}
+
 void Arming::set(bool armed) {
     const bool wasFaulty = faulty();
     if (armed) link_.letGoOfLost(); // what is not there would only be a fault again
+    if (const auto broken = brokenHand(); armed && broken) {
+        link_.choose(link_.idOf(*broken));
+        return show();
+    }
     if (armed)
         for (std::size_t hand = 0; hand < hands_.count(); ++hand)
             link_.stop(hand).pressed = false; // held still, it stops again at once
@@ -75,16 +95,11 @@ void Arming::offer(const QString& more) {
     const bool lost = *guard_.fault() == InhibitReason::DeviceLost;
     const QString trouble = lost ? QString::fromStdString(hands_.trouble(hand)) : QString();
     const QString text = QStringLiteral("%1 %2 %3").arg(guard_.faultSentences(), trouble, more).simplified();
-    // What its driver cannot get over by itself no arming brings back.
-    if (!trouble.isEmpty() && hand == 0 && link_.connected())
-        notice_.offer(text, QStringLiteral("error"), tr("Open again"),
-                      [this] { link_.choose(link_.current()); });
-    else
-        notice_.offer(text, QStringLiteral("error"), armAgain(), [this] { set(true); });
+    notice_.offer(text, QStringLiteral("error"), again(), [this] { set(true); });
 }
 
 void Arming::adoptDevice() {
-    for (const QString& button : {armAgain(), tr("Open again"), tr("Arm")})
+    for (const QString& button : {armAgain(), openAgain(), tr("Arm")})
         notice_.withdraw(button);
     guard_.forget();
     show();

@@ -1,6 +1,8 @@
 // Forces on and off, of all hands at once: the one way there, and what is said and offered about it.
 #pragma once
 
+#include <optional>
+
 #include <QObject>
 #include <QString>
 
@@ -23,8 +25,11 @@ public:
            DeviceLink& link, QObject* parent);
 
     bool faulty() const;
-    /// As a person wants it, by command, key or button; said in the notices.
+    /// As a person wants it, by command, key or button; said in the notices. A device whose driver cannot get
+    /// over its trouble by itself is opened anew instead of armed.
     void set(bool armed);
+    /// What arming does after a fault, in a button's words.
+    QString again() const;
     /// Without a word: something else is felt from now on.
     void switchOff();
     /// Likewise.
@@ -37,6 +42,8 @@ public:
     void adoptDevice();
 
 private:
+    std::optional<std::size_t> brokenHand() const;
+
     Hands hands_;
     Actions& actions_;
     SceneView& view_;

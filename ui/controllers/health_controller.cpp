@@ -49,7 +49,7 @@ void HealthController::frame() {
     guard_.frame();
     // Nobody arms while a recording is shown.
     const auto fault = bench_.playback.active() ? std::nullopt : guard_.fault();
-    status_.setFault(fault ? guard_.faultSentences() : QString());
+    status_.setFault(fault ? guard_.faultSentences() : QString(), arming_.again());
     status_.setQuietNote(guard_.quietNote());
     if (++frames_ < kFramesPerDisplay) return;
     frames_ = 0;

@@ -68,7 +68,7 @@ StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent) {
     note_->setProperty("dimmed", true);
     note_->setMinimumWidth(1); // gives way before the figures do; its tooltip has it all
     row->addWidget(note_, 1);
-    arm_ = new QPushButton(tr("Arm again"));
+    arm_ = new QPushButton;
     arm_->setObjectName(QStringLiteral("arm-again"));
     arm_->setToolTip(tr("The force comes back softly. Hold the handle."));
     arm_->setFocusPolicy(Qt::NoFocus);
@@ -163,7 +163,8 @@ void StatusStrip::showNote(const QString& note) {
     note_->setToolTip(note);
 }
 
-void StatusStrip::setFault(const QString& sentences) {
+void StatusStrip::setFault(const QString& sentences, const QString& remedy) {
+    arm_->setText(remedy);
     if (sentences == fault_) return;
     fault_ = sentences;
     const bool fault = !fault_.isEmpty();

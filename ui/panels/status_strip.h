@@ -29,8 +29,8 @@ public:
     void setTouched(const QString& name) { touched_ = name; }
     /// Instead of the priority note while nothing is touched: what the mouse is over. May be empty.
     void setHovered(const QString& words) { hovered_ = words; }
-    /// Instead of figures and note, until cleared with an empty one.
-    void setFault(const QString& sentences);
+    /// Instead of figures and note, until cleared with an empty one. `remedy`: what its button says.
+    void setFault(const QString& sentences, const QString& remedy = {});
     /// Instead of the priority note: why there is less force than usual, or less detail. May be empty.
     void setQuietNote(const QString& sentences) { quiet_ = sentences; }
     /// With STOP, the device, the force and what is touched; the rates give way.

@@ -293,7 +293,7 @@ private slots:
         ProxyTelemetry proxy = proxyTelemetry();
         strip.display(proxy, servoTelemetry(), arm());
         COMPARE_SHOWN(shownIn(strip), "status-recorded");
-        strip.setFault(QStringLiteral("The finger was let go."));
+        strip.setFault(QStringLiteral("The finger was let go."), QStringLiteral("Arm again"));
         COMPARE_SHOWN(shownIn(strip), "status-fault");
         strip.setFault({});
         COMPARE_SHOWN(shownIn(strip).replace(QStringLiteral(" .fault=false"), QString()), "status-recorded");

@@ -55,6 +55,7 @@ private slots:
     void givingUpIsSeenUntilItIsDone();
     void whatAHiddenDockAsksForIsSaid();
     void disconnectingWhileItIsMadeReadyGivesUp();
+    void aBrokenDriverIsOpenedAgain_data();
     void aBrokenDriverIsOpenedAgain();
     void closingTheWindowGivesUp();
     void theMouseDoesNotLeadARealDevice();
@@ -244,8 +245,16 @@ void TestDevice::disconnectingWhileItIsMadeReadyGivesUp() {
     QCOMPARE(int(desk.desk->made), 0);
 }
 
-/// No arming helps there: the message offers what does.
+/// No arming helps there: whatever arms opens it again, the message's button among them.
+void TestDevice::aBrokenDriverIsOpenedAgain_data() {
+    QTest::addColumn<QByteArray>("pressed");
+    QTest::newRow("in the message") << QByteArray("notice-act");
+    QTest::newRow("in the status line") << QByteArray("arm-again");
+    QTest::newRow("in the dock") << QByteArray("device-arm");
+}
+
 void TestDevice::aBrokenDriverIsOpenedAgain() {
+    QFETCH(const QByteArray, pressed);
     Desk desk;
     QVERIFY(desk.program.open(writeCube(folder_)));
     desk.desk->place(0, 0, 0.08);
@@ -254,9 +263,10 @@ void TestDevice::aBrokenDriverIsOpenedAgain() {
     QVERIFY(desk.fullForce());
     desk.desk->broken = true;
     QTRY_COMPARE_WITH_TIMEOUT(desk.text("notice-act"), QStringLiteral("Open again"), kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.text("arm-again"), QStringLiteral("Open again"), kPatience);
     QVERIFY(!desk.engine().armed());
     COMPARE_CONTAINS(desk.text("notice-text"), QStringLiteral("The driver crashed."));
-    desk.click("notice-act");
+    desk.click(pressed.constData());
     QTRY_COMPARE_WITH_TIMEOUT(int(desk.desk->prepared), 2, kPatience);
     QVERIFY(desk.ready());
     QVERIFY(!desk.engine().armed());
