@@ -102,6 +102,7 @@ private slots:
                            : verdict.error().text;
         };
         COMPARE_CONTAINS(in(bundle_name::kForces, upward), "forces.csv: the force differs in 1 row");
+        QCOMPARE_GT(verdictOn(bytes, bundle_name::kForces, upward)->largestDifference, 1.0); // N
         COMPARE_CONTAINS(in(bundle_name::kFinger, finger), "forces.csv: the finger differs in 1 row");
         COMPARE_CONTAINS(in(bundle_name::kX3d,
                             [](std::string& text) {

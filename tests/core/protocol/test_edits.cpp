@@ -188,6 +188,10 @@ void TestEdits::uploadsAreAddedAndOpened() {
     VERIFY_RESULT(make(scene, edit, uploadOf));
     QCOMPARE_EQ(scene.objects.size(), std::size_t(1));
     COMPARE_NEAR(boundsOf(scene).diagonal(), 0.2, 1e-12, "m");
+    for (const double never : {1e-7, 1e7, -0.2}) {
+        edit.mutable_open()->set_fit_diagonal(never);
+        COMPARE_CONTAINS(test::refusal(make(scene, edit, uploadOf)), "from 1e-6 to 1e6 m");
+    }
 }
 
 void TestEdits::removingAndClearing() {

@@ -93,6 +93,8 @@ void TestStudyFile::everyMemberComesBack() {
     StudyDesign plain;
     plain.name = "plain";
     QVERIFY(*parseDesign(designText(plain), "a") == plain);
+    plain.name = "Gef\u00fchl"; // which a person reads in the file as well
+    COMPARE_CONTAINS(designText(plain), plain.name);
 }
 
 void TestStudyFile::whatIsNotThereIsAsAtFirst() {

@@ -93,6 +93,7 @@ private slots:
         QCOMPARE(edited.size(), 1);
         COMPARE_NEAR(edited[0][0].toDouble(), 3e-9, 1e-20, "kg");
         QCOMPARE(numberText(0.6, decimalsFor(0.6, 2)), "0.60");
+        QCOMPARE(numberText(0, decimalsFor(0, 9)), "0.0000"); // it has no first figure to count from
     }
 
     void numbersAsText() {
