@@ -10,6 +10,7 @@ namespace tactum {
 namespace {
 
 constexpr std::string_view kColumns[] = {"t", "x", "y", "z"};
+constexpr double kShortestStep = 1e-7; // s; below it a finger's speed means nothing
 
 /// What some programs write before the first letter of a text.
 std::string_view withoutByteOrderMark(std::string_view text) {
@@ -60,6 +61,8 @@ private:
         if (!path_.empty() && !(values[0] > path_.back().t))
             fail("column t: " + std::to_string(values[0]) +
                  " is not after the row before; sort the rows by time");
+        if (!path_.empty() && values[0] - path_.back().t < kShortestStep)
+            fail("column t: less than 1e-7 s after the row before; take this row out");
         path_.push_back({values[0], {values[1], values[2], values[3]}});
     }
 
