@@ -29,6 +29,7 @@ private slots:
     void whatWasRemovedStaysAway();
     void theSimulatedHandComesBackBesideItsDevice();
     void whatIsLostComesBack();
+    void whatFailsIsNotTriedWithoutEnd();
     void nobodyLosesForceToWhatComesBack();
 };
 
@@ -111,6 +112,26 @@ void TestHandsRemembered::whatIsLostComesBack() {
     QVERIFY(areBothThere(two));
     two.other->plugged = false;
     QTRY_COMPARE_WITH_TIMEOUT(two.engine().hands(), std::size_t(1), kPatience);
+    two.other->plugged = true;
+    QVERIFY(areBothThere(two));
+}
+
+// The test is wrong if nothing is listed meanwhile: then nobody could have tried again.
+void TestHandsRemembered::whatFailsIsNotTriedWithoutEnd() {
+    TwoArms two(folder_);
+    int failures = 0;
+    connect(&two.desk.link(), &DeviceLink::failed, this, [&failures] { ++failures; });
+    two.other->failAt = 0;
+    two.desk.desk->go = 3;
+    QTRY_COMPARE_WITH_TIMEOUT(failures, 1, kPatience);
+    const int lists = two.desk.catalogue->lists;
+    QVERIFY(test::waitFor([&] { return two.desk.catalogue->lists > lists + 3; }));
+    QCOMPARE(failures, 1);
+    QCOMPARE(two.engine().hands(), std::size_t(1));
+    two.other->plugged = false; // pulled out and plugged in again it is
+    QTRY_VERIFY_WITH_TIMEOUT(!two.desk.link().find(kOther), kPatience);
+    two.other->failAt = -1;
+    two.other->go = 3;
     two.other->plugged = true;
     QVERIFY(areBothThere(two));
 }
