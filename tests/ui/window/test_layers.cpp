@@ -32,6 +32,7 @@ private slots:
     void onlyWhatMattersIsShown();
     void rowsAreDraggedIntoAnotherOrder();
     void keysDoItAll();
+    void onlyWhatHasRoomMovesUpOrDown();
     void theEyeSwitchesOff();
     void soloIsFeltAndForgotten();
     void aLockedSurfaceStays();
@@ -194,6 +195,18 @@ void TestLayers::keysDoItAll() {
     editor->setText(QStringLiteral("clay"));
     QTest::keyClick(editor, Qt::Key_Return);
     QTRY_COMPARE_WITH_TIMEOUT(window.names(), std::string("clay Grooves"), kPatience);
+}
+
+void TestLayers::onlyWhatHasRoomMovesUpOrDown() {
+    Layered window(folder_);
+    window.add({"layer-noise", "layer-grooves"});
+    const auto may = [&](const char* id) { return window.program.command(id).isEnabled(); };
+    QVERIFY(!may("layer-up")); // the topmost is chosen
+    QVERIFY(may("layer-down"));
+    window.program.command("layer-down").trigger();
+    QCOMPARE(window.names(), std::string("Grooves Noise"));
+    QVERIFY(may("layer-up"));
+    QVERIFY(!may("layer-down"));
 }
 
 void TestLayers::theEyeSwitchesOff() {

@@ -60,6 +60,7 @@ private slots:
     void lockedAndOtherSurfacesStay();
     void besideTheModelNothingHappens();
     void aPictureIsPaintedOnItsTexels();
+    void keysChangeTheBrushAndBack();
 };
 
 QString TestPainting::writePlate() const {
@@ -113,6 +114,23 @@ void TestPainting::aDabIsAsHighAsTheBrushSays() {
     }
     QCOMPARE_GT(inside, 20);
     QCOMPARE_LT(inside, int(soup.positions.size()) / 2);
+}
+
+void TestPainting::keysChangeTheBrushAndBack() {
+    TouchedWindow program;
+    QVERIFY(begin(program, "paint-height"));
+    Brush brush = tool(program).brush();
+    brush.strength = 0.5;
+    tool(program).setBrush(brush);
+    const auto after = [&](const char* command) {
+        program.command(command).trigger();
+        return tool(program).brush();
+    };
+    QCOMPARE_GT(after("brush-bigger").radius, brush.radius);
+    COMPARE_NEAR(after("brush-smaller").radius, brush.radius, 1e-15, "m");
+    QCOMPARE_LT(after("brush-weaker").strength, brush.strength);
+    COMPARE_NEAR(after("brush-stronger").strength, brush.strength, 1e-12, "");
+    QCOMPARE_GT(after("brush-stronger").strength, brush.strength);
 }
 
 void TestPainting::aStrokeIsOneStep() {
