@@ -5265,8 +5265,8 @@ der Grenze rendern</translation>
             <translation>Leertaste, Eingabe</translation>
         </message>
         <message>
-            <source>Space, Left, Right</source>
-            <translation>Leertaste, Links, Rechts</translation>
+            <source>Space, Left, Right, Up, Down</source>
+            <translation>Leertaste, Links, Rechts, Auf, Ab</translation>
         </message>
         <message>
             <source>Space, S, F2</source>
@@ -7132,8 +7132,8 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>https://... oder eine DOI</translation>
         </message>
         <message>
-            <source>in a recording: play or pause, a hundredth of a second back or on</source>
-            <translation>in einer Aufnahme: abspielen oder anhalten, eine Hundertstelsekunde zurück oder weiter</translation>
+            <source>in a recording: play or pause, a hundredth of a second back or on, faster or slower</source>
+            <translation>in einer Aufnahme: abspielen oder anhalten, eine Hundertstelsekunde zurück oder weiter, schneller oder langsamer</translation>
         </message>
         <message>
             <source>in a study: go on; each answer names its key, R feels again, Esc asks whether to end</source>

@@ -428,7 +428,8 @@ constexpr Manner kManners[] = {
     {"Alt+1 to Alt+9", "look from a camera that is kept, in the order of View > Camera > Kept cameras"},
     {"Right button", "what can be done with the object there, or with the scene"},
     {"Tab in the view", "hide or show all panels"},
-    {"Space, Left, Right", "in a recording: play or pause, a hundredth of a second back or on"},
+    {"Space, Left, Right, Up, Down",
+     "in a recording: play or pause, a hundredth of a second back or on, faster or slower"},
     {"Space, Enter", "in a study: go on; each answer names its key, R feels again, Esc asks whether to end"},
     {"Hold Esc for half a second", "forces off"},
 };

@@ -68,6 +68,8 @@ RecordingController::RecordingController(const Workbench& bench, Arming& arming,
     onKey(Qt::Key_Space, [&playback] { playback.setPlaying(!playback.playing()); });
     onKey(Qt::Key_Left, [&playback] { playback.seek(playback.time() - kKeyStep, true); });
     onKey(Qt::Key_Right, [&playback] { playback.seek(playback.time() + kKeyStep, true); });
+    onKey(Qt::Key_Up, [&playback] { playback.changeSpeed(1); });
+    onKey(Qt::Key_Down, [&playback] { playback.changeSpeed(-1); });
 }
 
 void RecordingController::onKey(Qt::Key key, const std::function<void()>& act) {

@@ -86,6 +86,10 @@ std::deque<HealthEvent> Playback::eventsSoFar() const {
     return events;
 }
 
+void Playback::changeSpeed(int by) {
+    bar_.changeSpeed(by);
+}
+
 void Playback::seek(double time, bool resting) {
     if (!active()) return;
     player_->seek(player_->run().begin() + time, resting ? kPlotted : 0);

@@ -38,6 +38,8 @@ public:
     bool playing() const { return playing_; }
     /// s since the beginning. `resting`: with all of the force plot's time before it.
     void seek(double time, bool resting);
+    /// `by` speeds of the bar on, or back.
+    void changeSpeed(int by);
     double time() const;
     /// What happened in the recording until now, newest first, each at its time since the beginning.
     std::deque<HealthEvent> eventsSoFar() const;

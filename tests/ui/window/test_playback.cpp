@@ -151,6 +151,10 @@ void TestPlayback::playingGoesOnAtItsSpeed() {
     QVERIFY(opened(program, recording_));
     auto* speed = program.window->findChild<QComboBox*>(QStringLiteral("playback-speed"));
     speed->setCurrentIndex(speed->count() - 1);
+    QTest::keyClick(&program.window->view(), Qt::Key_Down);
+    QCOMPARE(speed->currentIndex(), speed->count() - 2);
+    QTest::keyClick(&program.window->view(), Qt::Key_Up);
+    QCOMPARE(speed->currentIndex(), speed->count() - 1);
     QTest::keyClick(&program.window->view(), Qt::Key_Space);
     QVERIFY(playbackOf(program).playing());
     QVERIFY(test::waitFor([&] { return !playbackOf(program).playing(); })); // to the end
