@@ -58,11 +58,9 @@ private:
         double values[4];
         for (std::size_t i = 0; i < 4; ++i)
             values[i] = number(line, i);
-        if (!path_.empty() && !(values[0] > path_.back().t))
+        if (!path_.empty() && !(values[0] - path_.back().t >= kShortestStep))
             fail("column t: " + std::to_string(values[0]) +
-                 " is not after the row before; sort the rows by time");
-        if (!path_.empty() && values[0] - path_.back().t < kShortestStep)
-            fail("column t: less than 1e-7 s after the row before; take this row out");
+                 " is not 1e-7 s or more after the row before; sort the rows by time");
         path_.push_back({values[0], {values[1], values[2], values[3]}});
     }
 

@@ -5732,10 +5732,6 @@ der Grenze rendern</translation>
             <translation>Gewählt ist die erste Hand, die es immer gibt; Trennen gibt ihr Gerät zurück.</translation>
         </message>
         <message>
-            <source>The force comes back softly. Hold the handle.</source>
-            <translation>Die Kraft kommt sanft zurück. Griff halten.</translation>
-        </message>
-        <message>
             <source>The force comes back.</source>
             <translation>Die Kraft kommt zurück.</translation>
         </message>

@@ -70,7 +70,6 @@ StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent) {
     row->addWidget(note_, 1);
     arm_ = new QPushButton;
     arm_->setObjectName(QStringLiteral("arm-again"));
-    arm_->setToolTip(tr("The force comes back softly. Hold the handle."));
     arm_->setFocusPolicy(Qt::NoFocus);
     arm_->hide();
     row->addWidget(arm_);
@@ -165,6 +164,7 @@ void StatusStrip::showNote(const QString& note) {
 
 void StatusStrip::setFault(const QString& sentences, const QString& remedy) {
     arm_->setText(remedy);
+    arm_->setToolTip(sentences); // which say what to do
     if (sentences == fault_) return;
     fault_ = sentences;
     const bool fault = !fault_.isEmpty();
