@@ -40,13 +40,13 @@ public:
             }
     }
 
-    std::string png() const {
+    std::vector<std::uint16_t> values() const {
         std::vector<std::uint16_t> values;
         for (const Eigen::Vector3d& light : colour_)
             for (const double value : light) // from linear light to what a screen expects
                 values.push_back(
                     std::uint16_t(std::lround(65535 * std::pow(std::clamp(value, 0.0, 1.0), 1 / 2.2))));
-        return encodePng(width_, height_, 3, 8, values);
+        return values;
     }
 
 private:
@@ -70,44 +70,34 @@ private:
     std::vector<double> depth_;
 };
 
-/// From the world to pixels: the scene's box fills nine tenths of the picture.
-class Camera {
-public:
-    Camera(const Scene& scene, int width, int height)
-        : turn_(viewRotation()), middle_(width / 2.0, height / 2.0) {
-        Bounds seen;
-        for (const SceneObject& object : scene.objects)
-            if (object.visible)
-                for (const Vec3& p : object.geometry->positions)
-                    seen.add(turn_ * object.pose.apply(p));
-        if (seen.empty()) return;
-        centre_ = seen.centre();
-        const Vec3 size = (seen.high - seen.low).cwiseMax(1e-9);
-        scale_ = 0.9 * std::min(width / size.x(), height / size.y());
-    }
-    Vec3 pixel(const Vec3& world) const {
-        const Vec3 p = scale_ * (turn_ * world - centre_);
-        return {middle_.x() + p.x(), middle_.y() - p.y(), p.z()};
-    }
-    /// How bright a facet is; its two sides look alike.
-    double light(const Vec3& normal) const {
-        const Vec3 n = turn_ * normal;
-        static const Vec3 kLamp = Vec3(-0.3, 0.6, 0.74).normalized();
-        return 0.15 + 0.85 * std::abs(n.dot(kLamp));
-    }
-
-private:
-    Mat3 turn_;
-    Eigen::Vector2d middle_;
-    Vec3 centre_ = Vec3::Zero();
-    double scale_ = 1;
-};
+/// How bright a facet is, its normal as the picture has it; its two sides look alike.
+double lightOn(const Vec3& n) {
+    static const Vec3 kLamp = Vec3(-0.3, 0.6, 0.74).normalized();
+    return 0.15 + 0.85 * std::abs(n.dot(kLamp));
+}
 
 } // namespace
 
-std::string previewOf(const Scene& scene, int width, int height) {
-    Picture picture(width, height);
-    const Camera camera(scene, width, height);
+Preview::Preview(const Scene& scene, int width, int height)
+    : width_(width), height_(height), turn_(viewRotation()) {
+    Bounds seen;
+    for (const SceneObject& object : scene.objects)
+        if (object.visible)
+            for (const Vec3& p : object.geometry->positions)
+                seen.add(turn_ * object.pose.apply(p));
+    if (seen.empty()) return;
+    centre_ = seen.centre();
+    const Vec3 size = (seen.high - seen.low).cwiseMax(1e-9);
+    scale_ = 0.9 * std::min(width / size.x(), height / size.y());
+}
+
+Vec3 Preview::pixel(const Vec3& world) const {
+    const Vec3 p = scale_ * (turn_ * world - centre_);
+    return {width_ / 2.0 + p.x(), height_ / 2.0 - p.y(), p.z()};
+}
+
+std::vector<std::uint16_t> Preview::draw(const Scene& scene) const {
+    Picture picture(width_, height_);
     for (const SceneObject& object : scene.objects) {
         if (!object.visible) continue;
         const TriangleSoup& soup = *object.geometry;
@@ -121,11 +111,15 @@ std::string previewOf(const Scene& scene, int width, int height) {
             if (normal.norm() == 0) continue;
             const Eigen::Vector3d colour = surface.colour.cast<double>();
             for (Vec3& p : corner)
-                p = camera.pixel(p);
-            picture.draw(corner, camera.light(normal.normalized()) * colour);
+                p = pixel(p);
+            picture.draw(corner, lightOn(turn_ * normal.normalized()) * colour);
         }
     }
-    return picture.png();
+    return picture.values();
+}
+
+std::string previewOf(const Scene& scene, int width, int height) {
+    return encodePng(width, height, 3, 8, Preview(scene, width, height).draw(scene));
 }
 
 } // namespace tactum

@@ -1,6 +1,6 @@
-// Writes the sample scenes, a picture of each, what its finger must feel, and the teapot as a bare mesh:
-// make-samples FOLDER; those whose bodies move go into its folder "moving". resources/scenes holds what this
-// program writes; a test compares them.
+// Writes the sample scenes, a picture of each, a moving one of how it is touched, what its finger must feel,
+// and the teapot as a bare mesh: make-samples FOLDER; those whose bodies move go into its folder "moving".
+// resources/scenes holds what this program writes; a test compares them.
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -9,6 +9,7 @@
 #include "core/files/gltf/write_gltf.h"
 #include "core/haptics/compile.h"
 #include "core/haptics/replay.h"
+#include "resources/make_samples/moving_picture.h"
 #include "resources/make_samples/samples.h"
 
 namespace tactum::samples {
@@ -57,16 +58,19 @@ std::string forcesOf(const tactum::Scene& scene) {
     return tactum::fingerCsv(forces);
 }
 
-/// The scene, its picture and its forces.
+bool noted(const tactum::samples::Sample& sample, const tactum::Result<void>& result) {
+    if (!result) std::cerr << "make-samples: " << sample.name << ": " << result.error().text << "\n";
+    return result.has_value();
+}
+
+/// The scene, its pictures and its forces.
 bool write(const std::filesystem::path& folder, const tactum::samples::Sample& sample) {
     const auto glb = tactum::glbOf(sample.scene);
-    if (!glb) {
-        std::cerr << "make-samples: " << sample.name << ": " << glb.error().text << "\n";
-        return false;
-    }
+    if (!glb) return noted(sample, tl::unexpected(glb.error()));
     return write(folder / (sample.name + ".glb"), *glb) &&
            write(folder / (sample.name + ".png"), tactum::previewOf(sample.scene, 320, 240)) &&
-           write(folder / (sample.name + ".csv"), forcesOf(sample.scene));
+           write(folder / (sample.name + ".csv"), forcesOf(sample.scene)) &&
+           noted(sample, tactum::samples::writeMovingPicture(sample.scene, folder / (sample.name + ".gif")));
 }
 
 } // namespace

@@ -1192,6 +1192,10 @@
             <translation>Eine Kugel von 60 mm</translation>
         </message>
         <message>
+            <source>A bell on a rope, to be struck and held</source>
+            <translation>Eine Glocke am Seil, zum Anschlagen und Festhalten</translation>
+        </message>
+        <message>
             <source>A brush that changes less</source>
             <translation>Ein Pinsel, der weniger ändert</translation>
         </message>
@@ -1292,8 +1296,16 @@
             <translation>Ein Gerät wird bereit gemacht; darauf warten oder es aufgeben.</translation>
         </message>
         <message>
+            <source>A door and two drawers with detents, friction and stops</source>
+            <translation>Eine Tür und zwei Schubladen mit Rasten, Reibung und Anschlägen</translation>
+        </message>
+        <message>
             <source>A drag with the mouse</source>
             <translation>Ziehen mit der Maus</translation>
+        </message>
+        <message>
+            <source>A flat face that feels like a relief, from one picture</source>
+            <translation>Eine ebene Fläche, die sich wie ein Relief anfühlt, aus einem Bild</translation>
         </message>
         <message>
             <source>A gentle spring to the middle of the device's workspace, instead of the scene</source>
@@ -1318,6 +1330,10 @@
         <message>
             <source>A joint went with it.</source>
             <translation>Ein Gelenk wurde mit entfernt.</translation>
+        </message>
+        <message>
+            <source>A knob turns the crank, and the crank drives a piston</source>
+            <translation>Ein Knauf dreht die Kurbel, und die Kurbel treibt einen Kolben</translation>
         </message>
         <message>
             <source>A larger radius for the brush that paints, or the one that selects</source>
@@ -1362,6 +1378,18 @@
         <message>
             <source>A layer that scales the viscosity</source>
             <translation>Eine Ebene, die die Viskosität skaliert</translation>
+        </message>
+        <message>
+            <source>A lid on a hinge, which its own weight closes</source>
+            <translation>Ein Deckel am Scharnier, den sein Gewicht schließt</translation>
+        </message>
+        <message>
+            <source>A mass on flexures: stiff in one direction, soft in another</source>
+            <translation>Eine Masse an Biegefedern: steif in einer Richtung, weich in der anderen</translation>
+        </message>
+        <message>
+            <source>A motor that a finger can brake</source>
+            <translation>Ein Motor, den ein Finger bremsen kann</translation>
         </message>
         <message>
             <source>A new path through the places of the model that are clicked, until this is clicked again</source>
@@ -1414,6 +1442,10 @@
         <message>
             <source>A scene can have %1 cameras; remove one that is not used.</source>
             <translation>Eine Szene kann %1 Kameras haben; entfernen Sie eine, die nicht gebraucht wird.</translation>
+        </message>
+        <message>
+            <source>A shape that the eye does not see: find it out with the finger</source>
+            <translation>Eine Form, die das Auge nicht sieht: der Finger findet sie heraus</translation>
         </message>
         <message>
             <source>A simulated hand has no workspace to lay: the mouse leads it in the scene itself. Connect a device.</source>
@@ -1700,10 +1732,6 @@
             <translation>Antworten und Berührung werden als CSV protokolliert; Esc beendet es</translation>
         </message>
         <message>
-            <source>Anywhere</source>
-            <translation>Überall</translation>
-        </message>
-        <message>
             <source>Apply</source>
             <translation>Anwenden</translation>
         </message>
@@ -1904,6 +1932,10 @@
             <translation>Ziegel</translation>
         </message>
         <message>
+            <source>Brick, tiles, corduroy and sandpaper, from pictures and formulas</source>
+            <translation>Ziegel, Fliesen, Cord und Schleifpapier, aus Bildern und Formeln</translation>
+        </message>
+        <message>
             <source>Bring %1 back</source>
             <translation>%1 zurückholen</translation>
         </message>
@@ -1994,6 +2026,10 @@
         <message>
             <source>Changed by another program</source>
             <translation>Von einem anderen Programm geändert</translation>
+        </message>
+        <message>
+            <source>Changed since by another program</source>
+            <translation>Seither von einem anderen Programm geändert</translation>
         </message>
         <message>
             <source>Changes</source>
@@ -2876,6 +2912,10 @@
             <translation>Glas auf Nickel</translation>
         </message>
         <message>
+            <source>Glaze and cork, and facets that feel round</source>
+            <translation>Glasur und Kork, und Facetten, die sich rund anfühlen</translation>
+        </message>
+        <message>
             <source>Go away from the model</source>
             <translation>Vom Modell weggehen</translation>
         </message>
@@ -2890,6 +2930,10 @@
         <message>
             <source>Goes farther</source>
             <translation>Geht weiter weg</translation>
+        </message>
+        <message>
+            <source>Grain, stitches and a worn place: textures laid over each other</source>
+            <translation>Narbung, Nähte und eine abgegriffene Stelle: Texturen übereinander</translation>
         </message>
         <message>
             <source>Gravity</source>
@@ -3049,6 +3093,10 @@
         <message>
             <source>Hold the handle.</source>
             <translation>Griff halten.</translation>
+        </message>
+        <message>
+            <source>Hold the sails against the wind</source>
+            <translation>Die Flügel gegen den Wind festhalten</translation>
         </message>
         <message>
             <source>Honey</source>
@@ -3227,6 +3275,10 @@
             <translation>So, wie die Dinge liegen, hat es keine Wirkung.</translation>
         </message>
         <message>
+            <source>It is no longer there</source>
+            <translation>Sie ist nicht mehr da</translation>
+        </message>
+        <message>
             <source>It is ready, and becomes a hand when the forces are off.</source>
             <translation>Es ist bereit und wird eine Hand, sobald die Kräfte aus sind.</translation>
         </message>
@@ -3345,6 +3397,10 @@
         <message>
             <source>Keyboard and mouse</source>
             <translation>Tastatur und Maus</translation>
+        </message>
+        <message>
+            <source>Keys on springs, with preload and stops</source>
+            <translation>Tasten auf Federn, mit Vorspannung und Anschlägen</translation>
         </message>
         <message>
             <source>Kind</source>
@@ -3577,6 +3633,10 @@
         <message>
             <source>Loose</source>
             <translation>Lose</translation>
+        </message>
+        <message>
+            <source>Loose balls: push one, and it meets the others</source>
+            <translation>Lose Kugeln: eine anstoßen, und sie trifft die anderen</translation>
         </message>
         <message>
             <source>Lower stop</source>
@@ -3899,6 +3959,10 @@
             <translation>Kein Kraft-Shading: Jede Facette wird gefühlt, wie sie ist</translation>
         </message>
         <message>
+            <source>No key and no gesture has these words.</source>
+            <translation>Keine Taste und keine Geste hat diese Wörter.</translation>
+        </message>
+        <message>
             <source>No layer is selected that can be edited.</source>
             <translation>Keine Ebene ist gewählt, die bearbeitet werden kann.</translation>
         </message>
@@ -4141,6 +4205,10 @@
         <message>
             <source>On: the brush paints the mask. Off: it paints the layer itself.</source>
             <translation>An: Der Pinsel malt die Maske. Aus: Er malt die Ebene selbst.</translation>
+        </message>
+        <message>
+            <source>One blow goes through all of them</source>
+            <translation>Ein Stoß geht durch alle hindurch</translation>
         </message>
         <message>
             <source>One file with the conditions in it</source>
@@ -4507,6 +4575,14 @@
             <translation>Proxyradius</translation>
         </message>
         <message>
+            <source>Push the car back along its track against the thrust</source>
+            <translation>Den Wagen gegen den Schub auf seiner Bahn zurückschieben</translation>
+        </message>
+        <message>
+            <source>Push three cars over the hill, and they go through the loop</source>
+            <translation>Drei Wagen über den Hügel schieben, und sie fahren durch den Looping</translation>
+        </message>
+        <message>
             <source>Puts a rule for USB devices and limits for real time where the system looks for them, after an administrator's consent</source>
             <translation>Legt eine Regel für USB-Geräte und Grenzen für Echtzeit dort ab, wo das System sie sucht, mit Zustimmung eines Administrators</translation>
         </message>
@@ -4653,6 +4729,14 @@ text | Wie war es?</translation>
         <message>
             <source>Remove %1</source>
             <translation>%1 entfernen</translation>
+        </message>
+        <message>
+            <source>Remove %1 from the list</source>
+            <translation>%1 aus der Liste entfernen</translation>
+        </message>
+        <message>
+            <source>Remove from the list; the file stays</source>
+            <translation>Aus der Liste entfernen; die Datei bleibt</translation>
         </message>
         <message>
             <source>Remove hand %1</source>
@@ -4981,6 +5065,10 @@ der Grenze rendern</translation>
             <translation>In der Szene suchen</translation>
         </message>
         <message>
+            <source>Search keys and what they do</source>
+            <translation>Tasten und ihre Wirkung suchen</translation>
+        </message>
+        <message>
             <source>Search presets</source>
             <translation>Vorgaben suchen</translation>
         </message>
@@ -5199,6 +5287,18 @@ der Grenze rendern</translation>
         <message>
             <source>Simulated hand · forces off</source>
             <translation>Simulierte Hand · Kräfte aus</translation>
+        </message>
+        <message>
+            <source>Six plates from smooth to rough: where the finger sticks and breaks loose</source>
+            <translation>Sechs Platten von glatt bis stumpf: wo der Finger haftet und losbricht</translation>
+        </message>
+        <message>
+            <source>Six plates from soft to hard, up to what the device can give</source>
+            <translation>Sechs Platten von weich bis hart, bis zu dem, was das Gerät hergibt</translation>
+        </message>
+        <message>
+            <source>Six plates like honey: the faster, the harder to slide</source>
+            <translation>Sechs Platten wie Honig: je schneller, desto schwerer zu gleiten</translation>
         </message>
         <message>
             <source>Size</source>
@@ -6484,6 +6584,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Drehpunkt</translation>
         </message>
         <message>
+            <source>Twenty bodies on strings, all moved by one finger</source>
+            <translation>Zwanzig Körper an Fäden, von einem Finger bewegt</translation>
+        </message>
+        <message>
             <source>Two clicks: distance; a third: angle at the second</source>
             <translation>Zwei Klicks: Abstand; ein dritter: Winkel am zweiten</translation>
         </message>
@@ -6602,6 +6706,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Wall</source>
             <translation>Wand</translation>
+        </message>
+        <message>
+            <source>Walls thinner than the proxy: around them, never through</source>
+            <translation>Wände, dünner als der Proxy: um sie herum, nie hindurch</translation>
         </message>
         <message>
             <source>Warning</source>
@@ -7528,6 +7636,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>die der Facetten</translation>
         </message>
         <message>
+            <source>today at %1</source>
+            <translation>heute um %1</translation>
+        </message>
+        <message>
             <source>too fine for this mesh and left out: %1 %</source>
             <translation>zu fein für dieses Netz und ausgelassen: %1 %</translation>
         </message>
@@ -7554,6 +7666,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>what stands still</source>
             <translation>was stillsteht</translation>
+        </message>
+        <message>
+            <source>yesterday at %1</source>
+            <translation>gestern um %1</translation>
         </message>
         <message>
             <source>you edit</source>

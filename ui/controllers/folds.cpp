@@ -135,6 +135,7 @@ void Folds::decide(QDockWidget* dock, bool folded) {
 
 /// At the right end of its row, where there is something to gain.
 void Folds::showButton(QTabBar& bar) {
+    bar.setFocusPolicy(bar.count() ? Qt::TabFocus : Qt::NoFocus); // Qt keeps an empty one out of sight
     auto* button = bar.findChild<QToolButton*>(kButton);
     const QDockWidget* dock = dockOf(bar, bar.currentIndex());
     button->setVisible(dock && heights_.contains(window_.dockWidgetArea(const_cast<QDockWidget*>(dock))));

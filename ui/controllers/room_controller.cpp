@@ -1,5 +1,7 @@
 #include "ui/controllers/room_controller.h"
 
+#include <utility>
+
 #include <QDockWidget>
 #include <QSettings>
 #include <QShortcut>
@@ -73,6 +75,16 @@ void RoomController::frame() {
     folds_.setFolded(bench_.dock("dock-plot"), false);
 }
 
+void RoomController::clearForStart() {
+    QAction& panels = bench_.actions["panels"];
+    clearedForStart_ = !panels.isChecked();
+    panels.setChecked(true);
+}
+
+void RoomController::leaveStart() {
+    if (std::exchange(clearedForStart_, false)) bench_.actions["panels"].setChecked(false);
+}
+
 void RoomController::hidePanels(bool hidden) {
     if (hidden) {
         shownPanels_ = bench_.window.saveState();
@@ -80,9 +92,14 @@ void RoomController::hidePanels(bool hidden) {
         for (auto* dock : bench_.window.findChildren<QDockWidget*>())
             dock->hide();
     } else if (hidesPanels()) {
+        QList<QDockWidget*> wanted; // in the meantime
+        for (auto* dock : bench_.window.findChildren<QDockWidget*>())
+            if (dock->isVisible()) wanted << dock;
         bench_.window.restoreState(shownPanels_);
         folds_.restore(foldedPanels_);
         shownPanels_.clear();
+        for (auto* dock : wanted)
+            folds_.bringForward(*dock);
     }
 }
 

@@ -24,6 +24,9 @@ public:
     /// Once a frame.
     void frame();
     void hidePanels(bool hidden);
+    /// The start page has the window to itself; the panels come with what is opened first.
+    void clearForStart();
+    void leaveStart();
     bool hidesPanels() const { return !shownPanels_.isEmpty(); }
 
 private:
@@ -36,6 +39,7 @@ private:
     Workbench bench_;
     Folds& folds_;
     Plots plots_ = Plots::Empty;
+    bool clearedForStart_ = false;
     bool grabbed_ = false;     ///< the finger in the view
     QByteArray shownPanels_;   ///< the layout to come back to while all panels are hidden
     QStringList foldedPanels_; ///< the same of what is folded

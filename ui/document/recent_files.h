@@ -3,13 +3,23 @@
 
 #include <filesystem>
 
+#include <QDateTime>
 #include <QStringList>
 
 namespace tactum {
 
-/// Newest first; only files that still exist. Kept in the program's settings. Thread: ui.
+struct RecentFile {
+    QString path;
+    QDateTime opened; ///< or saved, the last time; invalid where nobody noted it
+    bool operator==(const RecentFile&) const = default;
+};
+
+/// Newest first, also those that are gone by now. Kept in the program's settings. Thread: ui.
+QList<RecentFile> recentlyOpened();
+/// The paths of those that still exist.
 QStringList recentFiles();
 void rememberFile(const QString& absolutePath);
+void forgetFile(const QString& absolutePath);
 void forgetRecentFiles();
 
 /// Where a person is asked to save at first: over the scene's own file, `scene`; among the documents when it

@@ -2,7 +2,6 @@
 
 #include <map>
 
-#include <QDir>
 #include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
@@ -10,13 +9,14 @@
 #include <QVBoxLayout>
 
 #include "ui/base/style.h"
+#include "ui/panels/recent_list.h"
 #include "ui/panels/sample_gallery.h"
 
 namespace tactum {
 
 namespace {
 
-constexpr int kStartColumn = 78 * kRhythm; // pixels
+constexpr int kWidest = 156 * kRhythm, kMargin = 3 * kRhythm, kLogo = 48; // pixels
 
 QLabel* line(const QString& text, int points, bool dimmed) {
     auto* label = new QLabel(text);
@@ -27,11 +27,6 @@ QLabel* line(const QString& text, int points, bool dimmed) {
     return label;
 }
 
-QString shortened(const QString& path) {
-    const QString home = QDir::homePath();
-    return path.startsWith(home + u'/') ? QStringLiteral("~") + path.mid(home.size()) : path;
-}
-
 QString headingOf(bool moves, std::size_t groups) {
     if (groups < 2) return StartPage::tr("Samples");
     return moves ? StartPage::tr("Samples: moving worlds") : StartPage::tr("Samples: surfaces");
@@ -39,25 +34,31 @@ QString headingOf(bool moves, std::size_t groups) {
 
 } // namespace
 
-StartPage::StartPage(const QStringList& samples, QWidget* parent) : QWidget(parent), recent_(new QWidget) {
+StartPage::StartPage(const QStringList& samples, QWidget* parent) : QWidget(parent), recent_(new RecentList) {
     setObjectName(QStringLiteral("startPage"));
     setAttribute(Qt::WA_StyledBackground);
     auto* body = new QWidget;
-    body->setFixedWidth(kStartColumn);
+    body->setMaximumWidth(kWidest);
+    body->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     column_ = new QVBoxLayout(body);
     column_->setContentsMargins(0, 0, 0, 0);
     column_->setSpacing(kRhythm);
     addHeading();
     addButtons();
-    if (!samples.isEmpty()) addSamples(samples);
-    column_->addSpacing(2 * kRhythm);
+    column_->addSpacing(kRhythm);
     column_->addWidget(recent_);
-    new QVBoxLayout(recent_);
+    connect(recent_, &RecentList::fileChosen, this, &StartPage::fileChosen);
+    if (!samples.isEmpty()) addSamples(samples);
     auto* page = new QWidget;
+    auto* across = new QHBoxLayout;
+    across->setContentsMargins(kMargin, 0, kMargin, 0);
+    across->addStretch(1);
+    across->addWidget(body, 1000);
+    across->addStretch(1);
     auto* centred = new QVBoxLayout(page);
     centred->addSpacing(5 * kRhythm); // for what lies over the page: who has lost work reads two headings
     centred->addStretch(2);
-    centred->addWidget(body, 0, Qt::AlignHCenter);
+    centred->addLayout(across);
     centred->addStretch(3);
     auto* scrolled = new QScrollArea; // a small window stays small
     scrolled->setWidgetResizable(true);
@@ -70,22 +71,19 @@ StartPage::StartPage(const QStringList& samples, QWidget* parent) : QWidget(pare
 
 void StartPage::addHeading() {
     auto* picture = new QLabel;
-    picture->setPixmap(logo(64));
-    picture->setFixedSize(64, 64);
+    picture->setPixmap(logo(kLogo));
+    picture->setFixedSize(kLogo, kLogo);
     auto* row = new QHBoxLayout;
     row->setSpacing(2 * kRhythm);
     row->addWidget(picture);
     row->addWidget(line(tr("Touch a model"), 11, false), 1);
     column_->addLayout(row);
-    column_->addSpacing(kRhythm);
     auto* what = line(tr("Open a 3-D model, give each of its surfaces a feel, and touch it: with a "
                          "force-feedback device, or with the mouse as a simulated hand."),
                       1, true);
     what->setWordWrap(true);
-    what->setFixedWidth(kStartColumn);
-    what->setFixedHeight(what->heightForWidth(kStartColumn)); // layouts ask wrapped text too late
     column_->addWidget(what);
-    column_->addSpacing(2 * kRhythm);
+    column_->addSpacing(kRhythm);
 }
 
 void StartPage::addButtons() {
@@ -118,24 +116,6 @@ void StartPage::addSamples(const QStringList& samples) {
         column_->addSpacing(2 * kRhythm);
         column_->addWidget(line(headingOf(moves, groups.size()), 0, true));
         column_->addWidget(gallery);
-    }
-}
-
-void StartPage::setRecent(const QStringList& files) {
-    auto* list = static_cast<QVBoxLayout*>(recent_->layout());
-    list->setContentsMargins(0, 0, 0, 0);
-    list->setSpacing(0);
-    qDeleteAll(recent_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
-    if (files.isEmpty()) return;
-    list->addWidget(line(tr("Recent"), 0, true));
-    for (const QString& file : files) {
-        const QFileInfo info(file);
-        QString text = QStringLiteral("%1   %2").arg(info.fileName(), shortened(info.path()));
-        text.replace(u'&', QStringLiteral("&&")); // of a name, and no letter for Alt
-        auto* button = new QPushButton(icon(QStringLiteral("recent")), text);
-        button->setProperty("link", true);
-        connect(button, &QPushButton::clicked, this, [this, file] { emit fileChosen(file); });
-        list->addWidget(button);
     }
 }
 

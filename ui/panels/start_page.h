@@ -7,13 +7,15 @@ class QVBoxLayout;
 
 namespace tactum {
 
+class RecentList;
+
 class StartPage : public QWidget {
     Q_OBJECT
 public:
     /// `samples`: scenes to try, each with a picture beside it.
     explicit StartPage(const QStringList& samples, QWidget* parent = nullptr);
 
-    void setRecent(const QStringList& files);
+    RecentList& recent() { return *recent_; }
 
 signals:
     void openRequested();
@@ -26,7 +28,7 @@ private:
     void addSamples(const QStringList& samples);
 
     QVBoxLayout* column_;
-    QWidget* recent_;
+    RecentList* recent_;
 };
 
 } // namespace tactum

@@ -32,6 +32,7 @@
 #include "ui/controllers/preference_controller.h"
 #include "ui/controllers/preset_controller.h"
 #include "ui/controllers/problem_controller.h"
+#include "ui/controllers/recent_controller.h"
 #include "ui/controllers/recording_controller.h"
 #include "ui/controllers/recovery_controller.h"
 #include "ui/controllers/report_controller.h"
@@ -44,7 +45,6 @@
 #include "ui/controllers/trial_controller.h"
 #include "ui/document/journal.h"
 #include "ui/document/layer_edits.h"
-#include "ui/document/recent_files.h"
 #include "ui/document/recovery.h"
 #include "ui/engine/device_link.h"
 #include "ui/engine/guard_watch.h"
@@ -174,9 +174,10 @@ void MainWindow::setCatalogue(DeviceCatalogue& catalogue) {
 
 /// Those that nobody here asks anything of, and what they tell each other.
 void MainWindow::makeControllers() {
-    const auto refreshStart = [this] { start_->setRecent(recentFiles()); };
-    connect(save_, &SaveController::filesChanged, this, refreshStart);
+    auto* recent = new RecentController(bench_, start_->recent());
+    connect(save_, &SaveController::filesChanged, recent, &RecentController::show);
     room_ = new RoomController(bench_, *folds_);
+    connect(centre_, &QStackedWidget::currentChanged, room_, &RoomController::leaveStart);
     makeLive();
     layers_ = new LayerController(bench_, *docks_.layers);
     new PaintController(bench_, *painting_, *paintStrip_, *docks_.layers);
@@ -191,11 +192,9 @@ void MainWindow::makeControllers() {
     recovery_->look();
     connect(new PaletteController(bench_, *folds_, *sets_, *cameras_, *centre_, *importBar_),
             &PaletteController::fileChosen, this, &MainWindow::open);
-    connect(new PreferenceController(bench_, *journal_), &PreferenceController::themeChanged, this,
-            [this, refreshStart] {
-                refreshStart();
-                refreshMore();
-            });
+    auto* preferences = new PreferenceController(bench_, *journal_);
+    connect(preferences, &PreferenceController::themeChanged, recent, &RecentController::show);
+    connect(preferences, &PreferenceController::themeChanged, this, &MainWindow::refreshMore);
 }
 
 /// What concerns the hand, the device and the forces: what is felt in the document's place gives way to each
@@ -263,7 +262,6 @@ QWidget* MainWindow::makeCentre() {
     layers->addWidget(studyPage_, 0, 0);
     centre_->addWidget(start_);
     centre_->addWidget(view_);
-    start_->setRecent(recentFiles());
     view_->setFocusPolicy(Qt::StrongFocus);
     view_->setAccessibleName(tr("Model and finger"));
     return body;
@@ -387,6 +385,7 @@ QSize MainWindow::firstSize(QSize room) {
 void MainWindow::restore() {
     resize(firstSize(screen()->availableSize()));
     room_->restore();
+    room_->clearForStart();
     setWindowTitle(tr("Tactum"));
 }
 

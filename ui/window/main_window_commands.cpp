@@ -131,7 +131,7 @@ void MainWindow::fillRecent(QMenu* menu) {
     if (!files.isEmpty())
         menu->addAction(tr("Forget them"), this, [this] {
             forgetRecentFiles();
-            start_->setRecent({});
+            emit save_->filesChanged();
         });
     giveMnemonics(*menu);
 }

@@ -21,6 +21,7 @@
 #include "ui/panels/event_list.h"
 #include "ui/panels/health_panel.h"
 #include "ui/panels/history_list.h"
+#include "ui/panels/recent_list.h"
 #include "ui/panels/sample_gallery.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
@@ -426,11 +427,13 @@ private slots:
         QVERIFY(samples[0].endsWith(QStringLiteral("/a-first-one.glb")));
         QVERIFY(samples[1].endsWith(QStringLiteral("/b-second.glb")));
         StartPage page(samples);
-        page.setRecent(
-            {QDir::homePath() + QStringLiteral("/models/cup.obj"), QStringLiteral("/other/tea.glb")});
+        page.recent().setFiles({{QDir::homePath() + QStringLiteral("/models/cup.obj"),
+                                 QDateTime(QDate(2025, 3, 1), QTime(9, 30))},
+                                {QStringLiteral("/other/tea.glb"), {}}});
         const auto plain = [&] {
             return shownIn(page)
                 .replace(folder.path(), QStringLiteral("FOLDER"))
+                .replace(QDir::homePath() + u'/', QStringLiteral("HOME/"))
                 .replace(QFileInfo(folder.path()).canonicalFilePath(), QStringLiteral("FOLDER"));
         };
         COMPARE_SHOWN(plain(), "start");
@@ -440,22 +443,22 @@ private slots:
         page.findChild<QToolButton*>(QStringLiteral("sample-b-second"))->click();
         QCOMPARE(chosen.size(), 1);
         QCOMPARE(chosen[0][0].toString(), samples[1]);
-        for (auto* button : page.findChildren<QPushButton*>())
-            if (button->text().startsWith(QStringLiteral("tea"))) button->click();
+        page.findChild<QToolButton*>(QStringLiteral("recent-tea.glb"))->click();
         QCOMPARE(chosen.size(), 2);
         QCOMPARE(chosen[1][0].toString(), "/other/tea.glb");
-        page.setRecent({});
+        page.recent().setFiles({});
         COMPARE_LACKS(plain(), "cup.obj");
         StartPage bare({});
         QVERIFY(!bare.findChild<SampleGallery*>());
     }
 
-    /// Five in a row, then the next row.
+    /// As many in a row as fit, then the next row.
     void samplesStandInRows() {
         QStringList files;
         for (int i = 0; i < 7; ++i)
             files << QStringLiteral("/none/s%1.glb").arg(i);
         SampleGallery gallery(files);
+        gallery.resize(600, 400);
         COMPARE_SHOWN(shownIn(gallery), "gallery");
     }
 };

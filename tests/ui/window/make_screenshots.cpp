@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDateTime>
+#include <QDialog>
 #include <QDir>
 #include <QDockWidget>
 #include <QPainter>
@@ -29,6 +30,8 @@
 #include "ui/base/style.h"
 #include "ui/document/journal.h"
 #include "ui/document/preset_store.h"
+#include "ui/document/recent_files.h"
+#include "ui/document/recent_pictures.h"
 #include "ui/panels/sample_gallery.h"
 #include "ui/showing/recording_saver.h"
 #include "ui/showing/video_recorder.h"
@@ -254,12 +257,37 @@ void takeLightTheme(TouchedWindow& program, const QDir& folder) {
     save(program, folder, QStringLiteral("light-theme.png"));
 }
 
+/// As a person finds it who has worked with three scenes before.
+void takeStart(const QDir& folder, const QString& scenes, QSize size) {
+    QTemporaryDir home; // or the picture would say whose it is
+    qputenv("HOME", home.path().toLocal8Bit());
+    const QDir models(home.filePath(QStringLiteral("models")));
+    {
+        TouchedWindow before(size);
+        for (const char* name : {"moving/cabinet", "relief-coin", "teapot"}) {
+            const QString file = scenes + QString::fromLatin1(name) + QStringLiteral(".glb");
+            const QString own = models.filePath(QFileInfo(file).fileName());
+            QSignalSpy kept(before.window->findChild<RecentPictures*>(), &RecentPictures::kept);
+            if (!models.mkpath(QStringLiteral(".")) || !QFile::copy(file, own) || !before.open(own) ||
+                !test::waitFor([&] { return kept.count() > 0; }))
+                qFatal("%s has no picture", name);
+        }
+    }
+    TouchedWindow program(size, samplesIn(scenes));
+    program.frames(20);
+    save(program, folder, QStringLiteral("start-page.png"));
+    program.command("keyboard").trigger();
+    auto* sheet = program.window->findChild<QDialog*>(QStringLiteral("keyboard-sheet"));
+    QTest::qWait(200);
+    if (!sheet->grab().save(folder.filePath(QStringLiteral("key-sheet.png"))))
+        qFatal("no picture of the keys");
+    forgetRecentFiles();
+}
+
 void takeGuide(const QDir& folder, const QString& sample, QSize size) {
     const auto trouble = std::make_shared<Trouble>();
     const auto around = [&](auto hand) { return std::make_unique<TroubledHand>(std::move(hand), trouble); };
     TouchedWindow program(size, samplesIn(QStringLiteral(TACTUM_RESOURCES "/scenes")), around);
-    program.frames(20);
-    save(program, folder, QStringLiteral("start-page.png"));
     if (!program.open(sample)) qFatal("%s cannot be opened", qPrintable(sample));
     save(program, folder, QStringLiteral("opened.png"));
     takeFault(program, *trouble, folder, QStringLiteral("fault.png"));
@@ -400,10 +428,11 @@ void takeShowing(const QDir& folder, const QString& sample, QSize size) {
 }
 
 // FOLDER [SCENE [WIDTHxHEIGHT
-// [felt|layers|paint|tasks|bodies|many|moving|connected|touch|device|devices|looks|showing]]]: with the last
-// word only the pictures of what is felt, of layers, of painting, of presets and problems, of what moves, or
-// of a device; `touch`: what join_pictures.py makes a moving picture of; `devices`: every page of its dock in
-// both themes; `moving`: every scene in which bodies move; `looks`: every scene at home.
+// [start|felt|layers|paint|tasks|bodies|many|moving|connected|touch|device|devices|looks|showing]]]: with the
+// last word only the pictures of the start page, of what is felt, of layers, of painting, of presets and
+// problems, of what moves, or of a device; `touch`: what join_pictures.py makes a moving picture of;
+// `devices`: every page of its dock in both themes; `moving`: every scene in which bodies move; `looks`:
+// every scene at home.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -420,15 +449,17 @@ int main(int argc, char** argv) {
         takeTouchFrames(folder, sample);
         return 0;
     }
+    const QString scenes = QStringLiteral(TACTUM_RESOURCES "/scenes/");
+    const auto wanted = [&](const char* what) { return only.isEmpty() || only == what; };
+    if (wanted("start")) takeStart(folder, scenes, size);
+    if (only == "start") return 0;
     if (only.isEmpty()) takeGuide(folder, sample, size);
     applyTheme(ThemeChoice::Dark);
-    const auto wanted = [&](const char* what) { return only.isEmpty() || only == what; };
     if (wanted("tasks")) takeTasks(folder, sample, size);
     if (wanted("device") || only == "devices") takeDevicePictures(folder, sample, size, only == "devices");
     applyTheme(ThemeChoice::Dark);
     if (only == "devices" || only == "device") return 0;
     if (wanted("paint")) takePainting(folder, sample, size);
-    const QString scenes = QStringLiteral(TACTUM_RESOURCES "/scenes/");
     if (only == "looks") {
         takeLooks(folder, scenes, size);
         return 0;

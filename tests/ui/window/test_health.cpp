@@ -448,6 +448,7 @@ void TestHealth::theDockIsRemembered() {
     };
     {
         TroubledWindow troubled;
+        QVERIFY(troubled.program.open(writeCube(folder_)));
         const auto* plot = troubled.program.window->findChild<QDockWidget*>(QStringLiteral("dock-plot"));
         QVERIFY(troubled.program.window->tabifiedDockWidgets(dockOf(troubled)).contains(plot));
         QVERIFY(isSeen(*plot));
@@ -458,6 +459,7 @@ void TestHealth::theDockIsRemembered() {
         troubled.program.window->close();
     }
     TroubledWindow again;
+    QVERIFY(again.program.open(writeCube(folder_)));
     QTRY_VERIFY_WITH_TIMEOUT(isSeen(*dockOf(again)), kPatience);
     QVERIFY(!again.program.engine.overridesCeiling());
 }

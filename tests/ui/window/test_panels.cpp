@@ -96,6 +96,7 @@ void TestPanels::thePlotsComeWithTheFirstForce() {
 void TestPanels::whatIsFoldedStaysSo() {
     {
         TouchedWindow program;
+        QVERIFY(program.open(writeCube(folder_)));
         const auto dock = [&](const char* name) {
             return program.window->findChild<QDockWidget*>(QLatin1String(name));
         };
@@ -125,6 +126,7 @@ void TestPanels::whatIsFoldedStaysSo() {
         program.window->close();
     }
     TouchedWindow again;
+    QVERIFY(again.open(writeCube(folder_)));
     QTRY_COMPARE(again.window->findChild<QDockWidget*>(QStringLiteral("dock-plot"))->height(), 0);
     QTRY_COMPARE(again.window->findChild<QDockWidget*>(QStringLiteral("dock-presets"))->height(), 0);
     QVERIFY(again.command("fold-lists").isChecked());

@@ -174,7 +174,10 @@ void TestPlayback::healthIsTheRecordings() {
     TouchedWindow program;
     auto* override = program.window->findChild<QCheckBox*>(QStringLiteral("health-override"));
     const auto* events = program.window->findChild<QTreeWidget*>(QStringLiteral("health-events"));
-    program.window->findChild<QDockWidget*>(QStringLiteral("dock-health"))->raise();
+    program.command("panels").trigger(); // the start page hides them
+    auto* dock = program.window->findChild<QDockWidget*>(QStringLiteral("dock-health"));
+    QTRY_VERIFY(dock->isVisible());
+    dock->raise();
     QTRY_COMPARE(textOf(program, "health-stiffest"), QStringLiteral("nothing yet"));
     QVERIFY(opened(program, recording_));
     Player& player = playbackOf(program).player();

@@ -348,6 +348,7 @@ void TestWindow::layoutAndRecentFilesAreRemembered() {
     }
     QCOMPARE(recentFiles().value(0), cube);
     TouchedWindow again({1200, 800});
+    QVERIFY(again.open(cube));
     QVERIFY(!again.window->findChild<QDockWidget*>(QStringLiteral("dock-history"))->isVisible());
     QVERIFY(again.window->findChild<QDockWidget*>(QStringLiteral("dock-inspector"))->isVisible());
     forgetRecentFiles();

@@ -29,7 +29,8 @@ void prepareProcess() {
 void useSettingsIn(const QString& folder) {
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder);
-    qputenv("XDG_DATA_HOME", folder.toLocal8Bit()); // the journals
+    qputenv("XDG_DATA_HOME", folder.toLocal8Bit());  // the journals
+    qputenv("XDG_CACHE_HOME", folder.toLocal8Bit()); // the pictures of recent files
     QSettings().setValue(QStringLiteral("window/folded"),
                          QStringList()); // a person who wants to see the plots
 }
