@@ -129,6 +129,8 @@ private slots:
             return program.window->findChild<PictureCard*>(QLatin1String(name));
         };
         PictureCard& coin = *card("sample-relief-coin");
+        QTest::mouseMove(program.window.get(), {2, 2}); // from wherever it was
+        QTRY_VERIFY_WITH_TIMEOUT(!coin.underMouse(), kPatience);
         const QImage still = coin.grab().toImage();
         coin.setFocus();
         QVERIFY(coin.moves());
