@@ -20,6 +20,7 @@
 #include "ui/controllers/covers.h"
 #include "ui/controllers/device_controller.h"
 #include "ui/controllers/edit_notice.h"
+#include "ui/controllers/felt_controller.h"
 #include "ui/controllers/folds.h"
 #include "ui/controllers/geometry_controller.h"
 #include "ui/controllers/health_controller.h"
@@ -29,7 +30,9 @@
 #include "ui/controllers/motion_controller.h"
 #include "ui/controllers/paint_controller.h"
 #include "ui/controllers/palette_controller.h"
+#include "ui/controllers/plot_controller.h"
 #include "ui/controllers/preference_controller.h"
+#include "ui/controllers/presentation_controller.h"
 #include "ui/controllers/preset_controller.h"
 #include "ui/controllers/problem_controller.h"
 #include "ui/controllers/recent_controller.h"
@@ -40,9 +43,12 @@
 #include "ui/controllers/save_controller.h"
 #include "ui/controllers/section_controller.h"
 #include "ui/controllers/select_controller.h"
+#include "ui/controllers/sound_controller.h"
 #include "ui/controllers/stage.h"
 #include "ui/controllers/study_controller.h"
+#include "ui/controllers/surface_controller.h"
 #include "ui/controllers/trial_controller.h"
+#include "ui/controllers/video_controller.h"
 #include "ui/document/journal.h"
 #include "ui/document/layer_edits.h"
 #include "ui/document/recovery.h"
@@ -50,11 +56,13 @@
 #include "ui/engine/guard_watch.h"
 #include "ui/engine/shared_link.h"
 #include "ui/engine/touched.h"
+#include "ui/panels/body_panel.h"
 #include "ui/panels/connection_bar.h"
 #include "ui/panels/device_panel.h"
 #include "ui/panels/health_panel.h"
 #include "ui/panels/import_bar.h"
 #include "ui/panels/inspector.h"
+#include "ui/panels/layer_panel.h"
 #include "ui/panels/recovery_bar.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
@@ -139,11 +147,14 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     cameras_ = new CamerasMenu(bench_);
     connectSelecting();
     connectArranging();
-    connectSurfaces();
-    connectFelt();
+    new SurfaceController(bench_);
+    felt_ = new FeltController(bench_);
+    new PlotController(bench_, *docks_.plot);
+    new SoundController(bench_, *sound_);
     connectDocument();
     connectParts();
-    connectShowing();
+    presentation_ = new PresentationController(bench_);
+    new VideoController(bench_, *docks_.plot);
     makeControllers();
     new Covers(*centralWidget(), *view_);
     setAcceptDrops(true);
@@ -217,8 +228,13 @@ void MainWindow::makeLive() {
     connect(study_, &StudyController::begins, trial_, &TrialController::end);
     connect(study_, &StudyController::begins, hint_, &QWidget::hide);
     connect(study_, &StudyController::ended, this, [this] {
-        showFelt();
+        felt_->show();
         docks_.plot->clear();
+    });
+    connect(&publisher_, &WorldPublisher::published, this, [this] {
+        // In a study the view keeps the first one: what is seen does not say what is felt.
+        const bool blind = study_->running() && study_->session().run().step() != StudyStep::Instructions;
+        if (!playback_->active() && !blind) view_->setWorld(publisher_.world());
     });
     connect(playback_, &Playback::begun, trial_, &TrialController::end);
     auto* recordings = new RecordingController(bench_, *arming_, *stage_, *hand_, *arranging_, *saver_);
@@ -330,6 +346,17 @@ void MainWindow::frame() {
     status_->display(engine_);
 }
 
+void MainWindow::drawTrace() {
+    trace_.clear();
+    for (TracePoint point; engine_.popTrace(point);)
+        trace_.push_back(point);
+    docks_.plot->take(trace_, engine_.proxy().output, engine_.device().maxForce, engine_.proxy().rate,
+                      view_->readingOf(engine_.proxy(), docks_.body->body()), touchedName_);
+    view_->addTrail(trace_, engine_.proxy().output);
+    sound_->play(trace_);
+    docks_.layers->take(trace_, engine_.proxy().time);
+}
+
 void MainWindow::playFrame() {
     playback_->frame();
     Player& player = playback_->player();
@@ -403,6 +430,12 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         leaving_ = true;
         close();
     });
+}
+
+/// What nobody else wanted.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && !event->isAutoRepeat() && presentation_->leave()) return;
+    QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -1,7 +1,6 @@
 // The window: puts view, panels and commands together around a document and an engine.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -9,7 +8,6 @@
 #include <QMainWindow>
 #include <QTimer>
 
-#include "core/geometry/repair.h"
 #include "core/port/hand_target.h"
 #include "core/runtime/engine.h"
 #include "ui/base/shortcuts.h"
@@ -37,6 +35,7 @@ class DeviceLink;
 class EditNotice;
 class Folds;
 class DevicePanel;
+class FeltController;
 class GuardWatch;
 class HandLink;
 class HealthController;
@@ -47,7 +46,7 @@ class NoticeBar;
 class PaintTool;
 class Playback;
 class PlaybackBar;
-class Presentation;
+class PresentationController;
 class PresetController;
 class RecordingSaver;
 class SelectController;
@@ -70,7 +69,6 @@ class StudyPage;
 class StudySession;
 class TrialController;
 class TouchHint;
-class VideoRecorder;
 
 /// Thread: ui. Polls the engine sixty times a second. `hand` is empty for a device that leads itself.
 class MainWindow : public QMainWindow {
@@ -126,11 +124,6 @@ private:
     void showOpened();
     void askForFile();
     void savePicture();
-    // Of showing a scene to others: main_window_showing.cpp.
-    void connectShowing();
-    void connectVideo();
-    void recordVideo(bool on);
-    void present(bool on);
     void frame();
     void playFrame();
     void sayRecorded(const QString& file, bool afterFault);
@@ -143,11 +136,6 @@ private:
     void addPlaceDock();
     void connectArranging();
     void fillArrangeStrip();
-    // Of surfaces and their normals: main_window_surfaces.cpp.
-    void connectSurfaces();
-    void setShading(const QString& text, const std::function<void(Shading&)>& change);
-    void turnOverSelected();
-    void repairSelected(const QString& text, Result<Repaired> (*how)(const SharedSoup&, const Progress&));
     // Of objects that come, are doubled, and go: main_window_parts.cpp.
     void connectParts();
     void fillSamples(QMenu* menu);
@@ -158,13 +146,7 @@ private:
     void removeSelected();
     void showObjectMenu(const QPoint& at, QWidget& over);
     void connectToServer(); ///< main_window_shared.cpp
-    // Of what is felt, seen and heard: main_window_felt.cpp.
-    void connectFelt();
-    void showFelt();
     void drawTrace();
-    void exportPlot();
-    void connectSound();
-    void setSound(bool on);
     Document& document_;
     Engine& engine_;
     WorldPublisher publisher_;
@@ -210,14 +192,12 @@ private:
     SelectController* selecting_ = nullptr;
     SelectionSetsMenu* sets_ = nullptr;
     CamerasMenu* cameras_ = nullptr;
-    VideoRecorder* video_ = nullptr;
-    Presentation* presentation_ = nullptr;
-    bool panelsWereHidden_ = false; ///< before the presentation
+    FeltController* felt_ = nullptr;
+    PresentationController* presentation_ = nullptr;
     DevicePanel* devicePanel_ = nullptr;
     QString dropped_; ///< the one model that is being added because it was dropped
     Docks docks_;
-    std::optional<Feel> copied_; ///< to be pasted
-    QStringList samples_;        ///< scenes to begin with, never written over
+    QStringList samples_; ///< scenes to begin with, never written over
     Folds* folds_ = nullptr;
     bool grabbed_ = false;              ///< the finger in the view
     std::uint64_t shownShape_ = 0;      ///< of the recorded scene in the view

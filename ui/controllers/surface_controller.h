@@ -1,0 +1,31 @@
+// What is done with the feel of the selected surfaces as a whole, and with their normals.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include <QObject>
+
+#include "core/geometry/repair.h"
+#include "ui/controllers/workbench.h"
+#include "ui/document/document.h"
+
+namespace tactum {
+
+/// Thread: ui.
+class SurfaceController : public QObject {
+    Q_OBJECT
+public:
+    explicit SurfaceController(const Workbench& bench);
+
+private:
+    void copyFeel();
+    void setShading(const QString& text, const std::function<void(Shading&)>& change);
+    void turnOverSelected();
+    void repairSelected(const QString& text, Result<Repaired> (*how)(const SharedSoup&, const Progress&));
+
+    Workbench bench_;
+    std::optional<Feel> copied_; ///< to be pasted
+};
+
+} // namespace tactum
