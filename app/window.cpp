@@ -15,6 +15,7 @@
 #include "ui/base/language.h"
 #include "ui/base/preferences.h"
 #include "ui/base/style.h"
+#include "ui/engine/device_link.h"
 #include "ui/panels/sample_gallery.h"
 #include "ui/view/surface_format.h"
 #include "ui/window/main_window.h"
@@ -96,7 +97,7 @@ int runWindow(int argc, char** argv, const WindowRequest& request) {
 
     auto hand = std::make_shared<HandTarget>();
     if (!request.connect.empty()) return runConnected(request, hand);
-    LocalEngine engine(std::make_unique<SimulatedHand>(hand));
+    LocalEngine engine(withOwnLimit(std::make_unique<SimulatedHand>(hand)));
     const auto started = engine.start();
     engine.setArmed(started.has_value()); // a simulated hand can hurt nobody
     Document document;

@@ -3419,6 +3419,10 @@
             <translation>Größter Unterschied</translation>
         </message>
         <message>
+            <source>Largest force</source>
+            <translation>Größte Kraft</translation>
+        </message>
+        <message>
             <source>Largest ratio of tangential to normal force at which a resting contact holds (section 4.1).</source>
             <translation>Größtes Verhältnis von Tangential- zu Normalkraft, bei dem ein ruhender Kontakt hält (Abschnitt 4.1).</translation>
         </message>
@@ -3529,6 +3533,10 @@
         <message>
             <source>Limited to the device's %1 N</source>
             <translation>Auf %1 N des Geräts begrenzt</translation>
+        </message>
+        <message>
+            <source>Limits</source>
+            <translation>Grenzen</translation>
         </message>
         <message>
             <source>Line for a terminal</source>
@@ -3929,6 +3937,10 @@
         <message>
             <source>No condition yet. Make the scene feel as one should, then keep this state.</source>
             <translation>Noch keine Bedingung. Die Szene so einrichten, wie sich eine anfühlen soll, dann den Zustand festhalten.</translation>
+        </message>
+        <message>
+            <source>No device gives more, whatever it can and whatever a scene asks for; 0 is as much as it can. Counts for a device from when it is connected, for the simulated hand from the next start on.</source>
+            <translation>Kein Gerät gibt mehr, was es auch kann und was eine Szene auch verlangt; 0 ist so viel, wie es kann. Gilt für ein Gerät, sobald es verbunden wird, für die simulierte Hand ab dem nächsten Start.</translation>
         </message>
         <message>
             <source>No device is chosen.</source>

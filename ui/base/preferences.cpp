@@ -22,6 +22,7 @@ constexpr auto kCamera = "Mouse and camera";
 constexpr auto kNumbers = "Numbers";
 constexpr auto kLook = "Look";
 constexpr auto kSaving = "Saving";
+constexpr auto kLimits = "Limits";
 
 const std::vector<Preference>& table() {
     static const std::vector<Preference> kTable{
@@ -96,6 +97,13 @@ const std::vector<Preference>& table() {
         {Preferred::JournalEdits,
          kSaving,
          {"journal/edits", "or after so many edits", "", 1, 200, 1, 20, 0, "Whichever comes first."},
+         {}},
+        {Preferred::LargestForce,
+         kLimits,
+         {"limits/force", "Largest force", "N", 0, 50, 0.5, 0, 1,
+          "No device gives more, whatever it can and whatever a scene asks for; 0 is as much as it can. "
+          "Counts "
+          "for a device from when it is connected, for the simulated hand from the next start on."},
          {}},
     };
     return kTable;

@@ -25,7 +25,8 @@ enum class Preferred {
     Size,
     Language,
     JournalTime,
-    JournalEdits
+    JournalEdits,
+    LargestForce
 };
 
 struct Preference {

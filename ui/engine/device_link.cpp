@@ -1,10 +1,12 @@
 #include "ui/engine/device_link.h"
-#include "ui/base/words.h"
-
 #include <algorithm>
 #include <utility>
 
 #include <QSettings>
+
+#include "core/port/own_limit.h"
+#include "ui/base/preferences.h"
+#include "ui/base/words.h"
 
 namespace tactum {
 
@@ -22,6 +24,12 @@ QString nameKey() {
 }
 
 } // namespace
+
+std::unique_ptr<HapticDevice> withOwnLimit(std::unique_ptr<HapticDevice> device) {
+    const double limit = Preferences::instance().value(Preferred::LargestForce);
+    if (limit <= 0) return device;
+    return std::make_unique<OwnLimit>(std::move(device), limit);
+}
 
 /// Passes on from the worker what the device says while it is made ready.
 class DeviceLink::Watch final : public Opening {
@@ -345,7 +353,7 @@ void DeviceLink::adopt(const Attempt& attempt, std::unique_ptr<HapticDevice> dev
         emit letsGo();
         Used used{.id = attempt.id};
         const Result<void> started =
-            hands_.exchange(0, std::make_unique<StopButton>(std::move(device), used.stop));
+            hands_.exchange(0, std::make_unique<StopButton>(withOwnLimit(std::move(device)), used.stop));
         if (!started) {
             park();
             return fail(QString::fromStdString(started.error().text));
@@ -394,7 +402,7 @@ void DeviceLink::park() {
     used_[0] = {.id = kSimulatedDevice};
     const Result<void> stopped = engine_.stop();
     if (const Made spare = std::exchange(spare_, nullptr))
-        (void)hands_.exchange(0, std::move(*spare)); // it opens nothing that could fail
+        (void)hands_.exchange(0, withOwnLimit(std::move(*spare))); // it opens nothing that could fail
     look();
     emit exchanged();
     if (!stopped) emit failed(QString::fromStdString(stopped.error().text));

@@ -22,6 +22,9 @@ namespace tactum {
 /// The device that everyone has, as every catalogue names it.
 inline const QString kSimulatedDevice = QStringLiteral("simulated");
 
+/// Held to the largest force that the person prefers (Preferred::LargestForce), if any. Thread: ui.
+std::unique_ptr<HapticDevice> withOwnLimit(std::unique_ptr<HapticDevice> device);
+
 enum class StepState { Waiting, Doing, Done, Failed };
 
 /// A device on its way into the engine, as far as a person wants to know.

@@ -74,7 +74,7 @@ Result<void> DeviceLink::adoptBeside(const QString& id, std::unique_ptr<HapticDe
     Used used{.id = id};
     const std::size_t before = hands_.count();
     const Result<void> added =
-        hands_.add(std::make_unique<StopButton>(std::move(device), used.stop)).and_then([this] {
+        hands_.add(std::make_unique<StopButton>(withOwnLimit(std::move(device)), used.stop)).and_then([this] {
             return engine_.start();
         });
     if (added) {

@@ -3,6 +3,7 @@
 
 #include "core/port/device_figures.h"
 #include "core/port/device_frame.h"
+#include "core/port/own_limit.h"
 #include "core/port/reading_clock.h"
 #include "core/port/stop_button.h"
 #include "tests/support/compare.h"
@@ -26,7 +27,9 @@ struct Noting final : HapticDevice {
     double dt = 0;
     std::int64_t until = 0;
 
-    DeviceInfo info() const override { return {.name = "noting"}; }
+    DeviceInfo figures{.name = "noting"};
+
+    DeviceInfo info() const override { return figures; }
     std::vector<std::string> steps() const override { return {"one", "two"}; }
     Result<void> prepare(Opening&) override { return machineError("no preparation"); }
     Result<void> open() override { return machineError("no opening"); }
@@ -159,6 +162,22 @@ private slots:
         QCOMPARE(noting.sent, Vec3(1, 2, 3));
         QCOMPARE(noting.dt, 0.002);
         QVERIFY(!sample.stopped);
+    }
+
+    void aLimitOfOnesOwnIsAFigureOfTheDevice() {
+        const auto limited = [](double most, double forEver, double wanted) {
+            auto device = std::make_unique<Noting>();
+            device->figures = {.name = "strong", .maxForce = most, .continuousForce = forEver, .rate = 4000};
+            return OwnLimit(std::move(device), wanted).info();
+        };
+        const DeviceInfo weaker = limited(8, 3, 2.5);
+        QCOMPARE(weaker.maxForce, 2.5);
+        QCOMPARE(weaker.continuousForce, 2.5);
+        QCOMPARE(weaker.rate, 4000.0);
+        QCOMPARE(weaker.name, std::string("strong"));
+        QCOMPARE(limited(8, 1.5, 2.5).continuousForce, 1.5);
+        QCOMPARE(limited(8, 0, 2.5).continuousForce, 0.0); // for ever as much as at all
+        QCOMPARE(limited(2, 1, 2.5).maxForce, 2.0);
     }
 
     void theStopButtonEndsAllForceUntilSomebodySaysOtherwise() {

@@ -9,6 +9,7 @@
 #include "core/haptics/compile.h"
 #include "core/loop/metronome.h"
 #include "core/loop/realtime_thread.h"
+#include "core/port/own_limit.h"
 #include "core/runtime/local_engine.h"
 #include "tests/core/runtime/patience.h"
 #include "tests/core/runtime/probe_device.h"
@@ -179,6 +180,21 @@ private slots:
         plate.engine.stop();
         for (const Exchange& exchange : plate.probe->log)
             QCOMPARE_LE(exchange.force.norm(), ProbeDevice::kMaxForce);
+    }
+
+    /// Of the device that could give four times as much, and of the World that asks for more still.
+    void noMoreLeavesThanThePersonWants() {
+        constexpr double kWanted = 2; // N
+        TouchedPlate plate(500);
+        VERIFY_RESULT(plate.engine.setDevice(
+            std::make_unique<OwnLimit>(std::make_unique<ProbeDevice>(plate.probe), kWanted)));
+        QCOMPARE(plate.engine.device().maxForce, kWanted);
+        QVERIFY(plate.touch(2 * kWanted / 500));
+        plate.engine.setArmed(true);
+        QVERIFY(plate.pushesWith(kWanted));
+        plate.engine.stop();
+        for (const Exchange& exchange : plate.probe->log)
+            QCOMPARE_LE(exchange.force.norm(), kWanted);
     }
 
     void restartPutsTheProxyOntoTheFinger() {

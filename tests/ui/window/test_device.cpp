@@ -22,6 +22,7 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/device_desk.h"
 #include "tests/ui/window/file_dialogs.h"
+#include "ui/base/preferences.h"
 #include "ui/engine/axis_capture.h"
 #include "ui/engine/device_link.h"
 #include "ui/engine/device_settings.h"
@@ -65,6 +66,7 @@ private slots:
     void aDeviceThatIsOnlyHiddenIsNotLost();
     void anotherDeviceIsFreedFirst();
     void theChoiceIsRemembered();
+    void noDeviceGivesMoreThanThePersonPrefers();
     void theRuleForUsbIsOffered();
     void aFileThatADeviceLacksIsChosen();
     void everythingHasAName();
@@ -429,6 +431,23 @@ void TestDevice::theChoiceIsRemembered() {
     QTRY_VERIFY_WITH_TIMEOUT(desk.catalogue->lists > 2, kPatience);
     QCOMPARE(desk.link().current(), kSimulatedDevice);
     QVERIFY(!desk.link().preparing());
+}
+
+/// Whatever hand comes: the device's own limit is 6 N.
+void TestDevice::noDeviceGivesMoreThanThePersonPrefers() {
+    Preferences::instance().set(Preferred::LargestForce, 2.5);
+    {
+        Desk desk;
+        QVERIFY(desk.connectIt());
+        QCOMPARE(desk.engine().device().maxForce, 2.5);
+        desk.click("device-disconnect-button"); // the simulated hand comes back, for which the same holds
+        QTRY_COMPARE_WITH_TIMEOUT(desk.link().current(), kSimulatedDevice, kPatience);
+        QCOMPARE(desk.engine().device().maxForce, 2.5);
+    }
+    Preferences::instance().set(Preferred::LargestForce, 0);
+    Desk desk;
+    QVERIFY(desk.connectIt());
+    QCOMPARE(desk.engine().device().maxForce, 6.0);
 }
 
 void TestDevice::theRuleForUsbIsOffered() {
