@@ -4187,6 +4187,10 @@
             <translation>Des Fensters. Meldungen über Dateien und Geräte, das Handbuch und die Befehlszeile sind auf Englisch.</translation>
         </message>
         <message>
+            <source>Off</source>
+            <translation>Aus</translation>
+        </message>
+        <message>
             <source>Off: normals are computed, and edges beyond the crease angle stay sharp.</source>
             <translation>Aus: Normalen werden berechnet, und Kanten über dem Knickwinkel bleiben scharf.</translation>
         </message>
@@ -4203,6 +4207,10 @@
             <translation>Versatz v</translation>
         </message>
         <message>
+            <source>On</source>
+            <translation>Ein</translation>
+        </message>
+        <message>
             <source>On a &amp;hinge</source>
             <translation>An einem Sc&amp;harnier</translation>
         </message>
@@ -4217,6 +4225,10 @@
         <message>
             <source>On: the brush paints the mask. Off: it paints the layer itself.</source>
             <translation>An: Der Pinsel malt die Maske. Aus: Er malt die Ebene selbst.</translation>
+        </message>
+        <message>
+            <source>On: the finger lags behind the mouse against a force and hurries with one, and the pointer is hidden meanwhile. The eye feels friction and bumps without a device.</source>
+            <translation>Ein: Der Finger bleibt gegen eine Kraft hinter der Maus zurück und eilt mit ihr voraus; der Zeiger ist solange verborgen. Das Auge fühlt Reibung und Unebenheiten ohne Gerät.</translation>
         </message>
         <message>
             <source>One blow goes through all of them</source>
@@ -4585,6 +4597,10 @@
         <message>
             <source>Proxy radius</source>
             <translation>Proxyradius</translation>
+        </message>
+        <message>
+            <source>Pseudo-haptic mouse</source>
+            <translation>Pseudohaptische Maus</translation>
         </message>
         <message>
             <source>Push the car back along its track against the thrust</source>

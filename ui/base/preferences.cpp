@@ -58,6 +58,13 @@ const std::vector<Preference>& table() {
          chosen("camera/flight", "The camera goes to a view", 2,
                 "Whether the camera is seen on its way to a standard view or a problem."),
          {"In a moment, along its way", "At once"}},
+        {Preferred::Lag,
+         kCamera,
+         chosen(
+             "camera/lag", "Pseudo-haptic mouse", 2,
+             "On: the finger lags behind the mouse against a force and hurries with one, and the pointer is "
+             "hidden meanwhile. The eye feels friction and bumps without a device."),
+         {"Off", "On"}},
         {Preferred::Lengths,
          kNumbers,
          chosen("units/length", "Lengths", std::size(kLengthUnits),

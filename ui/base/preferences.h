@@ -19,6 +19,7 @@ enum class Preferred {
     WheelAway,
     ZoomTo,
     Flight,
+    Lag,
     Lengths,
     Stiffnesses,
     Theme,

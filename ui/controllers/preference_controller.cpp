@@ -24,7 +24,8 @@ CameraManners preferredManners() {
             .turnSpeed = of.value(Preferred::TurnSpeed),
             .zoomSpeed = (away ? 1 : -1) * of.value(Preferred::ZoomSpeed),
             .zoomToCursor = of.choice<ZoomTo>(Preferred::ZoomTo) == ZoomTo::Cursor,
-            .flies = of.value(Preferred::Flight) == 0};
+            .flies = of.value(Preferred::Flight) == 0,
+            .lags = of.value(Preferred::Lag) == 1};
 }
 
 Journal::Pace preferredPace() {

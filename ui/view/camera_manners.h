@@ -12,6 +12,7 @@ struct CameraManners {
     double zoomSpeed = 1;                          ///< of 13 % for a notch of the wheel; < 0: away is farther
     bool zoomToCursor = true;                      ///< else to the middle of the view
     bool flies = true;                             ///< is seen on its way to another place
+    bool lags = false; ///< what the mouse leads, against the force on it; the pointer is hidden then
 };
 
 } // namespace tactum

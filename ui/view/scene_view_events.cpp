@@ -69,6 +69,8 @@ void SceneView::Impl::endStroke(StrokeStep how) {
 }
 
 void SceneView::Impl::letGo(bool givenUp) {
+    if (lags())
+        QCursor::setPos(view.mapToGlobal(lagging.at().toPoint())); // where the finger is; Wayland refuses
     drag = ViewDrag::None;
     const bool handled = std::exchange(taken, nullptr);
     for (ViewHandles* each : handles)
@@ -87,6 +89,7 @@ void SceneView::Impl::dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
     if (drag == ViewDrag::Pan) camera.pan(step);
     if (drag == ViewDrag::Handles) leadHandles(cursor, modifiers);
     if (hand.grip() == Grip::None) return view.changed();
+    if (lags()) cursor = lagging.follow(cursor, pushInPicture());
     std::optional<Vec3> touched;
     if (hand.grip() == Grip::Stroke)
         if (const auto hit = pick(cursor, ScenePicker::Patience::Wait)) touched = hit->point;
@@ -162,7 +165,7 @@ void SceneView::Impl::refreshHover() {
 }
 
 void SceneView::Impl::showCursor(QPointF cursor) {
-    if (hand.grip() != Grip::None) return view.setCursor(Qt::ClosedHandCursor);
+    if (hand.grip() != Grip::None) return view.setCursor(lags() ? Qt::BlankCursor : Qt::ClosedHandCursor);
     if (regionNext || drawsRegion() || brushes()) return view.setCursor(Qt::CrossCursor);
     const auto under = [&](const ViewHandles* each) { return each->isUnder(cursor, camera); };
     if (drag == ViewDrag::Handles || std::ranges::any_of(handles, under))

@@ -35,8 +35,18 @@ bool SceneView::Impl::takesFinger(QPointF cursor, const std::optional<PickHit>& 
     return !hit || (hit->point - ledTouch()->finger).norm() > over;
 }
 
+bool SceneView::Impl::lags() const {
+    return manners.lags && drag == ViewDrag::Hand && hand.grip() != Grip::None;
+}
+
+QPointF SceneView::Impl::pushInPicture() const {
+    const TouchState* led = ledTouch();
+    return led ? QPointF(led->force.dot(camera.right()), -led->force.dot(camera.up())) : QPointF();
+}
+
 void SceneView::Impl::takeHold(QPointF cursor, const std::optional<PickHit>& hit) {
     drag = ViewDrag::Hand;
+    lagging.begin(cursor);
     if (takesFinger(cursor, hit)) return setGrip(Grip::Drag, cursor);
     const double slant = std::abs(hit->normal.dot((hit->point - camera.eye()).normalized()));
     const double gap = kGapReserve * proxyRadius / std::max(slant, kLeastSlant);

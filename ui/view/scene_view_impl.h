@@ -10,6 +10,7 @@
 #include "ui/view/felt_view.h"
 #include "ui/view/ground_layer.h"
 #include "ui/view/hand_tool.h"
+#include "ui/view/lagging_cursor.h"
 #include "ui/view/mark_layer.h"
 #include "ui/view/model_layer.h"
 #include "ui/view/paint_layer.h"
@@ -51,6 +52,9 @@ struct SceneView::Impl {
     bool isNearFinger(QPointF cursor) const;
     /// Whether a press there takes the finger itself, and not the place.
     bool takesFinger(QPointF cursor, const std::optional<PickHit>& hit) const;
+    bool lags() const;
+    /// The force on the finger that the mouse leads, N, right and down.
+    QPointF pushInPicture() const;
     void leaveHand(bool givenUp);
     void liftHand();
     void liftAgain();
@@ -139,6 +143,7 @@ struct SceneView::Impl {
     CameraManners manners;
     QVariantAnimation flight;
     HandTool hand;
+    LaggingCursor lagging;
 
     std::optional<TouchState> touch;
     QString touchedName;

@@ -4,11 +4,14 @@
 
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QSignalSpy>
 #include <QTest>
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
+#include "ui/base/preferences.h"
+#include "ui/view/lagging_cursor.h"
 #include "ui/view/scene_view.h"
 
 namespace test_first_touch {
@@ -46,6 +49,7 @@ private slots:
     void whatIsTouchedIsNamed();
     void proxyStaysOutsideWhileFingerIsInside();
     void frictionTypedIntoTheInspectorIsFeltAndUndone();
+    void aPseudoHapticMouseLagsWithTheForce();
     void stopEndsTheForce();
 };
 
@@ -67,6 +71,38 @@ void TestFirstTouch::pressIntoTheFront() {
     // At rest a contact sticks again; on a busy machine the hand takes longer to come to rest.
     QTRY_VERIFY_WITH_TIMEOUT(program_->touch().contacts == 1 && !program_->touch().contact[0].slipping,
                              kPatience);
+}
+
+/// Over a rough front the mouse leads the hand as much less far as the force against it says; and the pointer,
+/// which was hidden, comes back where it led to.
+void TestFirstTouch::aPseudoHapticMouseLagsWithTheForce() {
+    Preferences::instance().set(Preferred::Lag, 1);
+    const ObjectId cube = program_->document.scene().objects.front().id;
+    program_->document.select(SurfaceRef{cube, 4}); // front
+    program_->type(QStringLiteral("static-friction"), QStringLiteral("0.5"));
+    QTRY_VERIFY_WITH_TIMEOUT(program_->caughtUp(), kPatience);
+    pressIntoTheFront();
+    SceneView& view = program_->window->view();
+    QCOMPARE(view.cursor().shape(), Qt::BlankCursor);
+    QSignalSpy goals(&view, &SceneView::handGoalMoved);
+    const ViewCamera& camera = view.camera();
+    QPoint at = program_->centre();
+    const double begin = at.x();
+    double expected = begin, slowest = 1; // pixels
+    for (int i = 0; i < 80; ++i) {
+        program_->frames(4);
+        const double push = program_->engine.servo().force.dot(camera.right());
+        slowest = std::min(slowest, std::clamp(1 + push / LaggingCursor::kHalt, 0.2, 1.8));
+        expected += std::clamp(1 + push / LaggingCursor::kHalt, 0.2, 1.8);
+        program_->moveTo(at += QPoint(1, 0));
+    }
+    QCOMPARE_LT(slowest, 0.8);
+    const double led = camera.project(goals.back()[0].value<Vec3>())->x();
+    COMPARE_NEAR(led - begin, expected - begin, 0.1 * (expected - begin), "px");
+    program_->release(at);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(view.mapFromGlobal(QCursor::pos()).x() - led) < 2, kPatience);
+    QVERIFY(view.cursor().shape() != Qt::BlankCursor);
+    Preferences::instance().set(Preferred::Lag, 0);
 }
 
 /// Strokes sideways, a pixel at a time, until the proxy gives way; the largest ratio until then.
