@@ -73,8 +73,8 @@ void TestFirstTouch::pressIntoTheFront() {
                              kPatience);
 }
 
-/// Over a rough front the mouse leads the hand as much less far as the force against it says; and the pointer,
-/// which was hidden, comes back where it led to.
+/// Over a rough front the mouse leads the hand as much less far as the force against it says; and the
+/// pointer, which was hidden, comes back where it led to.
 void TestFirstTouch::aPseudoHapticMouseLagsWithTheForce() {
     Preferences::instance().set(Preferred::Lag, 1);
     const ObjectId cube = program_->document.scene().objects.front().id;
