@@ -244,7 +244,7 @@ void DeviceController::centreWorkspace(bool fit) {
 /// Once a frame.
 void DeviceController::frame() {
     link_.frame();
-    panel_.display(bench_.engine);
+    panel_.display(bench_.engine, arming_.faulty() ? arming_.again() : QString());
     // The device itself has been without force since the tick that read the button.
     Hands& hands = link_.hands();
     bool pressed = false;

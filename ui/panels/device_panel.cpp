@@ -99,23 +99,23 @@ void DevicePanel::showPage(Page page) {
     pages_->setCurrentIndex(int(page));
 }
 
-void DevicePanel::display(const Engine& engine) {
+void DevicePanel::display(const Engine& engine, const QString& remedy) {
     workspace_->follow(engine.servo().handle_D);
     if (visibleRegion().isEmpty()) return; // behind another tab, for instance
-    showState(engine);
+    showState(engine, remedy);
     hands_->display();
     if (live_->isVisible()) live_->display(engine);
     if (trial_->isVisible()) trial_->display(engine);
 }
 
-void DevicePanel::showState(const Engine& engine) {
+void DevicePanel::showState(const Engine& engine, const QString& remedy) {
     armed_ = link_.hands().anyArmed();
     name_->setText(wordsOf(engine.device().name));
     const QString stop = tr("STOP: hold Esc");
     state_->setText(!engine.running() ? tr("it does not run")
                     : armed_          ? tr("forces on \u00b7 %1").arg(stop)
                                       : tr("forces off"));
-    arm_->setText(armed_ ? tr("Forces off") : tr("Arm"));
+    arm_->setText(armed_ ? tr("Forces off") : remedy.isEmpty() ? tr("Arm") : remedy);
     arm_->setToolTip(armed_ ? tr("The device gets no force. Also: hold Esc for half a second.")
                             : tr("Let the device push. Hold the handle: the force comes softly."));
     arm_->setEnabled(engine.running());

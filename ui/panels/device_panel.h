@@ -36,8 +36,8 @@ public:
     WorkspaceFields& workspace() { return *workspace_; }
     DeviceTrialPage& trial() { return *trial_; }
     void showPage(Page page);
-    /// Once a frame.
-    void display(const Engine& engine);
+    /// Once a frame. `remedy`: what the button does after a fault; empty while there is none.
+    void display(const Engine& engine, const QString& remedy = {});
 
 signals:
     void armPressed(bool armed);
@@ -45,7 +45,7 @@ signals:
 private:
     QWidget* makeHead();
     QWidget* makePages();
-    void showState(const Engine& engine);
+    void showState(const Engine& engine, const QString& remedy);
 
     DeviceLink& link_;
     QLabel *name_, *state_;

@@ -266,6 +266,7 @@ void TestDevice::aBrokenDriverIsOpenedAgain() {
     desk.desk->broken = true;
     QTRY_COMPARE_WITH_TIMEOUT(desk.text("notice-act"), QStringLiteral("Open again"), kPatience);
     QTRY_COMPARE_WITH_TIMEOUT(desk.text("arm-again"), QStringLiteral("Open again"), kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.text("device-arm"), QStringLiteral("Open again"), kPatience);
     QVERIFY(!desk.engine().armed());
     COMPARE_CONTAINS(desk.text("notice-text"), QStringLiteral("The driver crashed."));
     desk.click(pressed.constData());
