@@ -25,6 +25,7 @@ public:
     DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override {
         return device_->exchange(command, dt);
     }
+    HandleReading handle() noexcept override { return device_->handle(); }
     void emergencyStop() noexcept override { device_->emergencyStop(); }
 
 protected:

@@ -26,6 +26,8 @@ inline constexpr DeviceFigure kDeviceFigures[] = {
     {"dry_friction_N", "dry friction", "N", &DeviceInfo::dryFriction, 0, 1e4},
     {"amplifier_lag_s", "amplifier lag", "s", &DeviceInfo::amplifierLag, 0, 1},
     {"delay_ticks", "delay", "ticks", &DeviceInfo::delay, 0, 100},
+    {"max_torque_N_m", "largest torque", "N m", &DeviceInfo::maxTorque, 0, 1e3},
+    {"max_pinch_N", "largest force of the gripper", "N", &DeviceInfo::maxPinch, 0, 1e4},
     {"trip_speed_m_per_s", "trip speed", "m/s", &DeviceInfo::tripSpeed, 1e-3, 1e3},
 };
 

@@ -29,10 +29,12 @@ class DeviceMailbox {
 public:
     // The servo's side.
 
-    void command(const Vec3& force, std::int64_t now) noexcept { commands_.write({force, now}); }
+    void command(const Vec3& force, std::int64_t now, const HandleCommand& handle = {}) noexcept {
+        commands_.write({force, now, handle});
+    }
     /// The command that answers the newest reading: awaitAnswer() wakes.
-    void answer(const Vec3& force, std::int64_t now) noexcept {
-        command(force, now);
+    void answer(const Vec3& force, std::int64_t now, const HandleCommand& handle = {}) noexcept {
+        command(force, now, handle);
         answers_.fetch_add(1, std::memory_order_release);
         wakeAll(answers_);
     }
@@ -42,8 +44,12 @@ public:
         DeviceSample sample = last.sample;
         sample.valid = sample.valid && now - last.at <= kOldestReading;
         sample.at = last.at;
+        handle_ = last.handle;
         return sample;
     }
+
+    /// Of the reading that newest() gave.
+    const HandleReading& handle() const noexcept { return handle_; }
 
     /// Until there is a reading that no earlier call knew of, or until a moment in ns. Thread: the servo's,
     /// outside every RealtimeScope.
@@ -60,9 +66,16 @@ public:
         if (last.at <= stopped_.load(std::memory_order_relaxed)) return Vec3::Zero();
         return partLeft(now - last.at) * last.force;
     }
-    void measured(const DeviceSample& sample, std::int64_t now) noexcept {
+    /// The same for what is no force.
+    HandleCommand handleForce(std::int64_t now) noexcept {
+        const Command& last = commands_.read();
+        if (last.at <= stopped_.load(std::memory_order_relaxed)) return {};
+        const double left = partLeft(now - last.at);
+        return {left * last.handle.torque, left * last.handle.pinch};
+    }
+    void measured(const DeviceSample& sample, std::int64_t now, const HandleReading& handle = {}) noexcept {
         answered_ = answers_.load(std::memory_order_acquire);
-        readings_.write({sample, now});
+        readings_.write({sample, now, handle});
         count_.fetch_add(1, std::memory_order_release);
         wakeAll(count_);
     }
@@ -74,16 +87,19 @@ private:
     struct Command {
         Vec3 force = Vec3::Zero();
         std::int64_t at = 0;
+        HandleCommand handle;
     };
     struct Reading {
         DeviceSample sample;
         std::int64_t at = 0;
+        HandleReading handle;
     };
     TripleBuffer<Command> commands_;
     TripleBuffer<Reading> readings_;
     std::atomic<std::int64_t> stopped_{0};
     FutexWord count_{0};      ///< of readings
     std::uint32_t known_ = 0; ///< of them, to awaitReading()
+    HandleReading handle_;    ///< the servo's
     FutexWord answers_{0};
     std::uint32_t answered_ = 0; ///< of them, when the newest reading came
 };

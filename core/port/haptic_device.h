@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/base/vec.h"
+#include "core/port/handle.h"
 #include "core/port/opening.h"
 
 namespace tactum {
@@ -28,6 +29,8 @@ struct DeviceInfo {
     int buttons = 0;               ///< on its handle: the lowest bits of DeviceSample::buttons
     bool real = false;             ///< it pushes a hand: a device watchdog stands by while it is open
     double tripSpeed = 1.5;        ///< m/s; a finger that is faster was let go: the force is taken away
+    double maxTorque = 0;          ///< N m, on its handle; 0: it has no motors for that, or it is not known
+    double maxPinch = 0;           ///< N, of its gripper, likewise
     bool measuresVelocity = false; ///< false: the servo makes the velocities itself, from the positions
 };
 
@@ -45,6 +48,7 @@ struct DeviceSample {
 /// One command to the device. Frame D, newton; positive force pushes the finger.
 struct DeviceCommand {
     Vec3 force = Vec3::Zero();
+    HandleCommand handle{};
 };
 
 class HapticDevice {
@@ -74,6 +78,8 @@ public:
     /// Thread: servo, real time: no allocation, lock or wait but those of the device's own transfer, which
     /// for USB are libusb's (docs/decisions/usb.md).
     virtual DeviceSample exchange(const DeviceCommand& command, double dt) noexcept = 0;
+    /// How the handle was turned and gripped at the last exchange. Thread: servo, real time.
+    virtual HandleReading handle() noexcept { return {}; }
     /// Waits until there is a reading that exchange() has not returned yet, at most until a moment in ns of
     /// monotonicNanoseconds(). False, at once: it cannot tell, and the loop's own clock decides. Two clocks
     /// that run freely cost a tick of delay. Thread: servo, outside every RealtimeScope.

@@ -55,7 +55,7 @@ public:
     DeviceSample exchange(const DeviceCommand& command, double) noexcept override {
         const std::int64_t now = monotonicNanoseconds();
         DeviceMailbox& mailbox = process_.block()->mailbox;
-        mailbox.command(command.force, now);
+        mailbox.command(command.force, now, command.handle);
         return mailbox.newest(now);
     }
     bool awaitFrame(std::int64_t until) noexcept override {
@@ -63,8 +63,9 @@ public:
         return true;
     }
     void announce(const DeviceCommand& command) noexcept override {
-        process_.block()->mailbox.answer(command.force, monotonicNanoseconds());
+        process_.block()->mailbox.answer(command.force, monotonicNanoseconds(), command.handle);
     }
+    HandleReading handle() noexcept override { return process_.block()->mailbox.handle(); }
     void emergencyStop() noexcept override { process_.block()->mailbox.stop(monotonicNanoseconds()); }
 
 private:

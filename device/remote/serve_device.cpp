@@ -13,6 +13,7 @@
 #include "core/loop/realtime_thread.h"
 #include "core/port/device_check.h"
 #include "core/port/force_limiter.h"
+#include "core/port/handle_limit.h"
 #include "device/remote/wire.h"
 
 namespace tactum {
@@ -85,7 +86,8 @@ private:
     Result<void> prepare(const Packet& request);
     Result<void> open();
     Result<void> startLoop();
-    void handOn(ForceLimiter& limiter, std::int64_t until) noexcept;
+    void handOn(ForceLimiter& limiter, const DeviceInfo& info, std::int64_t until) noexcept;
+    DeviceCommand commandNow(ForceLimiter& limiter, const DeviceInfo& info) noexcept;
     void loop() noexcept;
     void endLoop();
     static void tell(TripleBuffer<wire::Text>& where, std::string& told, std::string now);
@@ -105,9 +107,14 @@ private:
 // The loop: no step of it waits for anything but its clock, its device and, for so long, the servo's answer.
 
 /// A device that makes its frames itself takes the answer to this one with the next, if it is there by then.
-void Server::handOn(ForceLimiter& limiter, std::int64_t until) noexcept {
+void Server::handOn(ForceLimiter& limiter, const DeviceInfo& info, std::int64_t until) noexcept {
     block_.mailbox.awaitAnswer(until);
-    device_.announce({limiter(block_.mailbox.force(monotonicNanoseconds()))});
+    device_.announce(commandNow(limiter, info));
+}
+
+DeviceCommand Server::commandNow(ForceLimiter& limiter, const DeviceInfo& info) noexcept {
+    const std::int64_t now = monotonicNanoseconds();
+    return {limiter(block_.mailbox.force(now)), heldTo(info, block_.mailbox.handleForce(now))};
 }
 
 void Server::loop() noexcept {
@@ -119,13 +126,12 @@ void Server::loop() noexcept {
     const auto patience = std::int64_t(kAnswerPart * 1e9 * metronome.period());
     while (!stop_.load(std::memory_order_relaxed)) {
         const Tick tick = metronome.wait(device_);
-        const Vec3 force = limiter(block_.mailbox.force(monotonicNanoseconds()));
-        const DeviceSample sample = device_.exchange({force}, tick.elapsed);
+        const DeviceSample sample = device_.exchange(commandNow(limiter, info), tick.elapsed);
         watchdog_.beat();
         const std::int64_t now = monotonicNanoseconds();
-        block_.mailbox.measured(sample, tick.framed && sample.at ? sample.at : now);
+        block_.mailbox.measured(sample, tick.framed && sample.at ? sample.at : now, device_.handle());
         block_.lastTick.store(now, std::memory_order_relaxed);
-        if (tick.framed) handOn(limiter, now + patience);
+        if (tick.framed) handOn(limiter, info, now + patience);
     }
     watchdog_.rest();
     for (int i = 0; i < kFarewells; ++i)

@@ -81,6 +81,10 @@ Result<Api> load() {
     opened->need("dhdGetPosition", api.getPosition);
     opened->need("dhdGetLinearVelocity", api.getLinearVelocity);
     opened->need("dhdSetForceAndTorqueAndGripperForce", api.setForceAndTorqueAndGripperForce);
+    opened->need("dhdGetOrientationFrame", api.getOrientationFrame);
+    opened->need("dhdHasWrist", api.hasWrist);
+    opened->need("dhdHasGripper", api.hasGripper);
+    opened->need("dhdGetGripperGap", api.getGripperGap);
     opened->need("dhdGetButtonMask", api.getButtonMask);
     opened->need("dhdErrorGetLast", api.errorGetLast);
     if (Result<void> complete = opened->complete(); !complete) return tl::unexpected(complete.error());

@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <mutex>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "core/base/text.h"
 #include "core/port/force_limiter.h"
+#include "core/port/handle_limit.h"
 #include "device/vendor/dhd_api.h"
 #include "device/vendor/dhd_force_output.h"
 
@@ -64,6 +66,7 @@ public:
         return caution_;
     }
     DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override;
+    HandleReading handle() noexcept override { return handle_; }
 
 private:
     Result<void> connect(Opening& opening);
@@ -71,8 +74,9 @@ private:
     Result<void> moveToCalibrate(Opening& opening);
     Result<void> asksForCalibration(bool& asks) const;
     std::string armWatchdog();
-    bool send(const Vec3& force_D) noexcept;
+    bool send(const Vec3& force_D, const HandleCommand& handle_D = {}) noexcept;
     bool read(DeviceSample& sample) noexcept;
+    bool readHandle() noexcept;
     void take(const DeviceInfo& figures);
     int lastError() const noexcept;
     tl::unexpected<Error> failure() const { return machineError(dhd::sentenceOf(lastError())); }
@@ -86,6 +90,9 @@ private:
     DeviceInfo info_;
     std::string caution_;
     ForceLimiter limiter_;
+    DeviceInfo limits_; ///< the servo's own, of what is no force
+    HandleReading handle_;
+    bool wrist_ = false, gripper_ = false;
     dhd::ForceOutput forces_;
     bool moves_ = false;    ///< opened by the robotics library, and closed by it
     int quiet_ = kDhdQuiet; ///< exchanges since the last error
@@ -98,7 +105,8 @@ DeviceSample ForceDimension::exchange(const DeviceCommand& command, double) noex
     if (!open_) return sample;
     const bool believed = quiet_ >= kDhdQuiet;
     // Both are tried whatever becomes of the other: zero has to get there.
-    const bool sent = send(believed ? limiter_(command.force) : Vec3::Zero());
+    const bool sent =
+        believed ? send(limiter_(command.force), heldTo(limits_, command.handle)) : send(Vec3::Zero());
     const bool whole = read(sample) && sent;
     if (!whole) fault_ = lastError();
     const bool on = forces_.look(api_, char(id_));
@@ -113,10 +121,23 @@ DeviceSample ForceDimension::exchange(const DeviceCommand& command, double) noex
     return sample;
 }
 
-bool ForceDimension::send(const Vec3& force_D) noexcept {
-    const Vec3 force = asTheirs(force_D);
-    return api_.setForceAndTorqueAndGripperForce(force.x(), force.y(), force.z(), 0, 0, 0, 0, char(id_)) >=
-           dhd::kNoError;
+bool ForceDimension::send(const Vec3& force_D, const HandleCommand& handle_D) noexcept {
+    const Vec3 force = asTheirs(force_D), torque = asTheirs(handle_D.torque);
+    return api_.setForceAndTorqueAndGripperForce(force.x(), force.y(), force.z(), torque.x(), torque.y(),
+                                                 torque.z(), handle_D.pinch, char(id_)) >= dhd::kNoError;
+}
+
+/// Where the device has what turns and grips; both are measured with the same reading as the place.
+bool ForceDimension::readHandle() noexcept {
+    double rows[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    double opening = 0;
+    if (wrist_ && api_.getOrientationFrame(rows, char(id_)) < dhd::kNoError) return false;
+    if (gripper_ && api_.getGripperGap(&opening, char(id_)) < dhd::kNoError) return false;
+    Mat3 turned; // each axis of the handle, which has theirs at rest, in D
+    for (int theirs = 0; theirs < 3; ++theirs)
+        turned.col((theirs + 2) % 3) = inD({rows[0][theirs], rows[1][theirs], rows[2][theirs]});
+    handle_ = {Quat(turned).normalized(), opening, wrist_, gripper_};
+    return turned.allFinite() && std::isfinite(opening);
 }
 
 bool ForceDimension::read(DeviceSample& sample) noexcept {
@@ -128,7 +149,7 @@ bool ForceDimension::read(DeviceSample& sample) noexcept {
     sample.position = inD(position);
     sample.velocity = inD(velocity);
     sample.buttons = read ? api_.getButtonMask(id) : 0;
-    return read;
+    return read && readHandle();
 }
 
 int ForceDimension::lastError() const noexcept {
@@ -154,6 +175,8 @@ Result<void> ForceDimension::connect(Opening& opening) {
     id_ = moves_ ? api_.openIdToMove(index_) : api_.openId(index_);
     if (id_ < 0) return failure();
     ++inUse;
+    wrist_ = api_.hasWrist(char(id_));
+    gripper_ = api_.hasGripper(char(id_));
     fault_ = dhd::kNoError;
     quiet_ = kDhdQuiet;
     api_.enableForce(dhd::kOff, char(id_));
@@ -172,6 +195,7 @@ void ForceDimension::take(const DeviceInfo& figures) {
     info_ = figures;
     info_.real = true;
     limiter_.maxForce = info_.maxForce;
+    limits_ = info_;
 }
 
 Result<void> ForceDimension::asksForCalibration(bool& asks) const {

@@ -58,6 +58,7 @@ enum Parameter : Enum {
     kCurrentButtons = 0x2000,            ///< int, a bit for each
     kCurrentPosition = 0x2050,           ///< 3 doubles, mm; x right, y up, z toward the user
     kCurrentVelocity = 0x2051,           ///< 3 doubles, mm/s
+    kCurrentTransform = 0x2052,          ///< 16 doubles by columns: axes of the stylus, then its place, mm
     kDeviceModelType = 0x2501,           ///< string
     kMaxWorkspaceDimensions = 0x2550,    ///< 6 doubles, mm: least x, y, z, greatest x, y, z
     kCalibrationStyle = 0x2555,          ///< int, bits

@@ -29,6 +29,7 @@ constexpr int kPatience = 2000;   ///< ms, for the scheduler's first frame and a
 constexpr int kHold = 5000;       ///< ms, that the person holds the arms still
 constexpr int kFarewell = 100;    ///< ms, for the last command
 constexpr double kHdSilent = 0.1; ///< s without a frame
+constexpr double kHdSkew = 1e-3;  ///< of three axes that are as long as they should be, and upright
 constexpr const char* kHdLoad = "Load the maker's library";
 constexpr const char* kHdConnect = "Connect";
 constexpr const char* kHdCalibrate = "Calibrate";
@@ -84,6 +85,7 @@ public:
     void announce(const DeviceCommand& command) noexcept override {
         mailbox_->answer(command.force, monotonicNanoseconds());
     }
+    HandleReading handle() noexcept override { return mailbox_->handle(); }
     void emergencyStop() noexcept override { mailbox_->stop(monotonicNanoseconds()); }
 
 private:
@@ -104,7 +106,7 @@ private:
     }
     void frame();
     void followSwitches();
-    DeviceSample haptics(const Vec3& force);
+    DeviceSample haptics(const Vec3& force, HandleReading& handle);
     void noteErrors();
 
     std::string name_;
@@ -137,21 +139,34 @@ void OpenHaptics::frame() {
     followSwitches();
     const std::int64_t now = monotonicNanoseconds();
     const bool fit = open_ && quiet_ >= kHdQuiet;
-    DeviceSample sample = haptics(fit ? limiter_(mailbox_->force(now)) : Vec3::Zero());
+    HandleReading handle;
+    DeviceSample sample = haptics(fit ? limiter_(mailbox_->force(now)) : Vec3::Zero(), handle);
     noteErrors();
     sample.valid = open_ && quiet_ >= kHdQuiet && sample.position.allFinite() && sample.velocity.allFinite();
-    mailbox_->measured(sample, monotonicNanoseconds());
+    mailbox_->measured(sample, monotonicNanoseconds(), handle);
     lastFrame_ = now;
     ++frames_;
 }
 
-DeviceSample OpenHaptics::haptics(const Vec3& force) {
+/// The axes of the stylus; what is none of a turned frame is left out.
+HandleReading turnedAs(const std::array<double, 16>& columns) {
+    Mat3 axes;
+    for (int i = 0; i < 3; ++i)
+        axes.col(i) = Vec3(columns[4 * i], columns[4 * i + 1], columns[4 * i + 2]);
+    if (!((axes * axes.transpose() - Mat3::Identity()).norm() < kHdSkew)) return {};
+    return {.orientation = Quat(axes).normalized(), .turns = true};
+}
+
+DeviceSample OpenHaptics::haptics(const Vec3& force, HandleReading& handle) {
     Triple position{kHdNothing, kHdNothing, kHdNothing}, velocity = position;
     const Triple sent{force.x(), force.y(), force.z()};
     int buttons = 0;
     api_.beginFrame(handle_);
     api_.getDoublev(hd::kCurrentPosition, position.data());
     api_.getDoublev(hd::kCurrentVelocity, velocity.data());
+    std::array<double, 16> transform{};
+    api_.getDoublev(hd::kCurrentTransform, transform.data());
+    handle = turnedAs(transform);
     api_.getIntegerv(hd::kCurrentButtons, &buttons);
     api_.setDoublev(hd::kCurrentForce, sent.data());
     api_.endFrame(handle_);

@@ -121,7 +121,10 @@ private slots:
 
     void aCommandFadesWhenNoneFollows() {
         DeviceMailbox box;
-        box.command(kForce, kNow);
+        box.command(kForce, kNow, {Vec3(0, 0.2, 0), 3});
+        QCOMPARE(box.handleForce(kNow).torque, Vec3(0, 0.2, 0));
+        COMPARE_NEAR(box.handleForce(kNow + kOldestCommand + kCommandFade / 2).pinch, 1.5, 1e-9, "N");
+        QCOMPARE(box.handleForce(kNow + kOldestCommand + kCommandFade).torque, Vec3(0, 0, 0));
         QCOMPARE(box.force(kNow), kForce);
         QCOMPARE(box.force(kNow + kOldestCommand), kForce);
         const Vec3 half = box.force(kNow + kOldestCommand + kCommandFade / 2);

@@ -20,6 +20,7 @@ namespace tactum::test {
 struct Served {
     std::atomic<double> push{0};      ///< N, along z: holds until the next command, as a real motor does
     std::atomic<double> strongest{0}; ///< N
+    std::atomic<double> torque{0};    ///< N m, about y, the newest
     std::atomic<int> notFinite{0};
     std::atomic<std::int64_t> zeroAt{0}; ///< ns, when the force became zero; 0 while there is some
     std::atomic<std::uint64_t> exchanges{0};
@@ -62,6 +63,7 @@ public:
                 .damping = 2.5,
                 .buttons = 2,
                 .real = true,
+                .maxTorque = 0.5,
                 .measuresVelocity = true};
     }
     std::vector<std::string> steps() const override { return {"Wake", "Home"}; }
@@ -90,7 +92,8 @@ public:
     DeviceSample exchange(const DeviceCommand& command, double) noexcept override {
         misbehave(command.force.x());
         const double strength = command.force.norm();
-        if (!command.force.allFinite()) ++served_.notFinite;
+        if (!command.force.allFinite() || !command.handle.torque.allFinite()) ++served_.notFinite;
+        served_.torque = command.handle.torque.y();
         if (strength > served_.strongest) served_.strongest = strength;
         served_.command(command.force.z());
         if (strength > 0.2 && strength < 1.8) ++served_.between;
@@ -98,6 +101,9 @@ public:
         const std::uint64_t number = ++served_.exchanges;
         return {
             .position = {0, 0.01, 0}, .velocity = {1e-6 * double(number), 0, 0}, .buttons = 2, .valid = true};
+    }
+    HandleReading handle() noexcept override {
+        return {.orientation = Quat(0, 1, 0, 0), .opening = 0.02, .turns = true, .grips = true};
     }
     void emergencyStop() noexcept override {
         served_.command(0);

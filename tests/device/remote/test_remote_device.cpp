@@ -124,6 +124,18 @@ private slots:
         QVERIFY(device->trouble().empty());
     }
 
+    /// Its own limit is 0.5 N m.
+    void handlesAndTorquesComeThrough() {
+        const auto device = opened();
+        QVERIFY(test::waitFor([&] {
+            device->exchange({Vec3::Zero(), {Vec3(0, 2, 0), 0}}, 1e-3);
+            return device->handle().turns && std::abs(served_->torque - 0.5) < 1e-9;
+        }));
+        QCOMPARE(device->handle().opening, 0.02);
+        QCOMPARE_LT(device->handle().orientation.angularDistance(Quat(0, 1, 0, 0)), 1e-12);
+        QVERIFY(test::waitFor([&] { return served_->torque == 0; })); // nobody commands any more
+    }
+
     /// A maker's scheduler, the device's process and the servo: the answer to a frame goes out with the next
     /// one, as if the servo made the frames itself.
     void threeClocksAreOneTick() {

@@ -10,6 +10,8 @@
 // - Robotic SDK 3.16, reference "DRD": drdAutoInit moves a device that drdOpenID opened and leaves its
 // regulation
 //   running; drdStop ends that.
+// - the same, dhdGetOrientationFrame: the identity of devices without a wrist, whatever is asked;
+//   dhdGetGripperGap: not available without a gripper.
 // That commands succeed while the forces are off is what no page denies.
 #include "tests/device/vendor/fake_dhd.h"
 
@@ -23,7 +25,7 @@ namespace {
 FakeDhd fake;
 int lastError = 0;
 constexpr char kFirst = 3; ///< ids are not indices
-constexpr int kExpertModeDisabled = 9, kNoDevice = 5;
+constexpr int kExpertModeDisabled = 9, kNoDevice = 5, kNotAvailable = 6;
 bool openedToMove = false;
 
 int fail(int error) {
@@ -104,12 +106,32 @@ int dhdGetPosition(double* x, double* y, double* z, char id) {
 int dhdGetLinearVelocity(double* x, double* y, double* z, char id) {
     return read(fake.velocity, x, y, z, id);
 }
+bool dhdHasWrist(char) {
+    return fake.wrist;
+}
+bool dhdHasGripper(char) {
+    return fake.gripper;
+}
+int dhdGetOrientationFrame(double matrix[3][3], char id) {
+    for (std::size_t i = 0; i < 9; ++i)
+        matrix[i / 3][i % 3] = fake.rows[i];
+    return answer(fake.readError, id);
+}
+int dhdGetGripperGap(double* opening, char id) {
+    if (!fake.gripper) return fail(kNotAvailable);
+    *opening = fake.gap;
+    return answer(fake.readError, id);
+}
 int dhdSetForceAndTorqueAndGripperForce(double fx, double fy, double fz, double tx, double ty, double tz,
                                         double grip, char id) {
     ++fake.commands;
     const double strength = std::hypot(fx, fy, fz);
     if (!std::isfinite(strength)) ++fake.notFinite;
     fake.strongest = std::max(fake.strongest.load(), strength);
+    fake.handle[0] = tx;
+    fake.handle[1] = ty;
+    fake.handle[2] = tz;
+    fake.handle[3] = grip;
     fake.torque = std::hypot(tx, ty, tz) + std::abs(grip);
     if (fake.regulating) ++fake.misuses; // two who push
     if (fake.sendError == 0) {

@@ -11,6 +11,9 @@ struct FakeDhd {
     // What the device does.
     std::array<std::atomic<double>, 3> position{}, velocity{};
     std::atomic<unsigned> buttons{0};
+    std::atomic<bool> wrist{false}, gripper{false};
+    std::array<std::atomic<double>, 9> rows{}; ///< of the handle's frame
+    std::atomic<double> gap{0};                ///< m
     std::atomic<int> devices{1};
     std::atomic<bool> resetMode{false}; ///< waits for its calibration
     std::atomic<bool> supported{true};  ///< by the robotics library
@@ -42,6 +45,7 @@ struct FakeDhd {
     // What was done to it.
     std::array<std::atomic<double>, 3> motors{}; ///< hold until the next command
     std::atomic<double> strongest{0}, torque{0};
+    std::array<std::atomic<double>, 4> handle{}; ///< the last torque, N m, and force of the gripper, N
     std::atomic<int> notFinite{0};
     std::atomic<bool> force{false}, expert{false}, regulating{false};
     std::atomic<int> forceOffCause{0};

@@ -103,6 +103,7 @@ void hdGetDoublev(unsigned what, double* values) {
     };
     if (what == 0x2050) copy(fake.position);
     if (what == 0x2051) copy(fake.velocity);
+    if (what == 0x2052) std::copy(fake.transform.begin(), fake.transform.end(), values);
     if (what == 0x2602) *values = fake.maxStiffness;
     if (what == 0x2603) *values = fake.maxForce;
     if (what == 0x2604) fail(0x0100); // this one does not know it

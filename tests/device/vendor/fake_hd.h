@@ -9,6 +9,7 @@ namespace tactum::test {
 struct FakeHd {
     // What the device does.
     std::array<std::atomic<double>, 3> position{}, velocity{}; ///< mm, mm/s
+    std::array<std::atomic<double>, 16> transform{};           ///< by columns, mm
     std::atomic<int> buttons{0};
     std::atomic<double> maxForce{3.3}, maxStiffness{0.42}; ///< N, N/mm
     std::atomic<int> calibrationStyle{4};                  ///< inkwell

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <dlfcn.h>
 #include <limits>
+#include <numbers>
 
 #include <QTest>
 
@@ -91,6 +92,58 @@ private slots:
                 fake_->position[i] = 0.01 * fake_->motors[i];
             COMPARE_NEAR(device->exchange({}, 1e-3).position, 0.01 * Vec3::Unit(axis), 1e-12, "m");
         }
+    }
+
+    /// A quarter turn about each of their axes, counter-clockwise seen against it, is one about the same axis
+    /// of ours; and a gripper's opening.
+    void aTurnedHandleComesInOurFrame() {
+        QVERIFY(!opened()->handle().turns); // an omega.3 has nothing that turns
+        fake_->wrist = fake_->gripper = true;
+        fake_->gap = 0.012;
+        const Vec3 ours[] = {Vec3::UnitZ(), Vec3::UnitX(), Vec3::UnitY()};
+        for (int theirs = 0; theirs < 3; ++theirs) {
+            const int next = (theirs + 1) % 3, last = (theirs + 2) % 3;
+            for (auto& each : fake_->rows)
+                each = 0;
+            fake_->rows[std::size_t(4 * theirs)] = 1;
+            fake_->rows[std::size_t(3 * last + next)] =
+                1; // what pointed along the next points along the last
+            fake_->rows[std::size_t(3 * next + last)] = -1;
+            const auto device = opened();
+            QVERIFY(device->exchange({}, 1e-3).valid);
+            const HandleReading handle = device->handle();
+            QVERIFY(handle.turns && handle.grips);
+            QCOMPARE(handle.opening, 0.012);
+            const Quat expected(Eigen::AngleAxisd(std::numbers::pi / 2, ours[theirs]));
+            QCOMPARE_LT(handle.orientation.angularDistance(expected), 1e-12);
+        }
+    }
+
+    /// None where the profile knows no limit, and no more than that; a number that is none is nothing.
+    void torqueAndPinchAreHeldToTheProfile() {
+        const DeviceCommand wild{Vec3::Zero(), {Vec3(0.3, 0, 0.4), -50}};
+        opened()->exchange(wild, 1e-3);
+        for (const auto& each : fake_->handle)
+            QCOMPARE(each.load(), 0.0);
+        const auto strong = [](std::string_view) -> Result<DeviceInfo> {
+            DeviceInfo info = profile();
+            info.maxTorque = 0.1;
+            info.maxPinch = 8;
+            return info;
+        };
+        auto device = std::move(*makeForceDimension("forcedimension:0", strong));
+        VERIFY_RESULT(device->open());
+        device->exchange(wild, 1e-3);
+        COMPARE_NEAR(Vec3(fake_->handle[0], fake_->handle[1], fake_->handle[2]), Vec3(0.08, 0.06, 0), 1e-12,
+                     "N m"); // theirs: toward the user, right, up
+        QCOMPARE(fake_->handle[3].load(), -8.0);
+        const double nan = std::nan("");
+        device->exchange({Vec3::Zero(), {Vec3(nan, 0, 0), nan}}, 1e-3);
+        for (const auto& each : fake_->handle)
+            QCOMPARE(each.load(), 0.0);
+        device->exchange(wild, 1e-3);
+        device->close(); // and zero at the end
+        QCOMPARE(fake_->handle[3].load(), 0.0);
     }
 
     void noForceIsAboveTheLimitOrNoNumber() {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <dlfcn.h>
 #include <limits>
+#include <numbers>
 #include <thread>
 
 #include <QTemporaryDir>
@@ -79,6 +80,20 @@ private slots:
         COMPARE_NEAR(hand.last.position, Vec3(0.01, -0.02, 0.03), 1e-12, "m");
         COMPARE_NEAR(hand.last.velocity, Vec3(0, 0, -0.25), 1e-12, "m/s");
         QVERIFY(device->trouble().empty());
+    }
+
+    /// Columns are the axes of the stylus: one that was turned a quarter about y has its z along x.
+    void aTurnedStylusIsCarried() {
+        const double turned[] = {0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 7, 8, 9, 1};
+        for (std::size_t i = 0; i < 16; ++i)
+            fake_->transform[i] = turned[i];
+        const auto device = opened();
+        QTRY_VERIFY(device->exchange({}, 1e-3).valid && device->handle().turns);
+        const Quat expected(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitY()));
+        QCOMPARE_LT(device->handle().orientation.angularDistance(expected), 1e-12);
+        QVERIFY(!device->handle().grips);
+        fake_->transform[0] = std::nan(""); // then it is not known
+        QTRY_VERIFY(device->exchange({}, 1e-3).valid && !device->handle().turns);
     }
 
     void forcesArriveAsTheyAre() {
