@@ -1184,6 +1184,10 @@
             <translation>&amp;Hundertmal so hoch</translation>
         </message>
         <message>
+            <source>A &amp;stylus</source>
+            <translation>Ein St&amp;ift</translation>
+        </message>
+        <message>
             <source>A PNG, JPEG or TIFF picture of 8 or 16 bits; bright is high</source>
             <translation>Ein Bild in PNG, JPEG oder TIFF mit 8 oder 16 Bit; hell ist hoch</translation>
         </message>
@@ -1398,6 +1402,10 @@
         <message>
             <source>A pause</source>
             <translation>Eine Pause</translation>
+        </message>
+        <message>
+            <source>A pen whose tip is the proxy, beside the ball; it leans toward the eye</source>
+            <translation>Ein Stift, dessen Spitze der Proxy ist, neben der Kugel; er lehnt sich zum Auge</translation>
         </message>
         <message>
             <source>A picture becomes a layer of a surface: open a model first, and drop it there.</source>

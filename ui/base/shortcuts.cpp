@@ -254,6 +254,8 @@ constexpr Command kCommands[] = {
      "The constraint planes of the proxy as discs, their rims yellow while they stick, violet while they "
      "slip",
      true},
+    {"stylus", "View/&At the contact", "A &stylus", "", "",
+     "A pen whose tip is the proxy, beside the ball; it leans toward the eye", true},
     {"friction-cone", "View/&At the contact", "Friction &cone", "", "cone",
      "The forces that friction holds: the force's arrow lies inside until the contact slips", true},
     {"trail", "View/&At the contact", "&Trail of the proxy", "", "trail",

@@ -18,6 +18,7 @@ struct Switch {
 };
 constexpr Switch kSwitches[] = {{"contact-normals", &FeltOptions::normals},
                                 {"contact-planes", &FeltOptions::planes},
+                                {"stylus", &FeltOptions::stylus},
                                 {"friction-cone", &FeltOptions::cone},
                                 {"trail", &FeltOptions::trail},
                                 {"felt-normals", &FeltOptions::feltNormals},

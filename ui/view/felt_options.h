@@ -11,8 +11,9 @@ enum class FeltValue { Stiffness, Damping, StaticFriction, DynamicFriction, Visc
 struct FeltOptions {
     // At the contacts.
     bool normals = true, planes = true;
-    bool cone = false;  ///< of friction
-    bool trail = false; ///< of the proxy, the last seconds
+    bool stylus = false; ///< a pen whose tip is the proxy
+    bool cone = false;   ///< of friction
+    bool trail = false;  ///< of the proxy, the last seconds
     // Of the picture as a whole.
     bool ground = true;     ///< beneath the scene, with its shadow and a grid
     bool boundaries = true; ///< thin lines between surfaces

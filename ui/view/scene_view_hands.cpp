@@ -41,6 +41,7 @@ void SceneView::setHands(const HandMark& mark, const std::vector<HandBeside>& ha
 void SceneView::Impl::placeBeside() {
     for (Beside& other : beside) {
         other.overlay->setMarks(felt.options().normals, felt.options().planes);
+        other.overlay->setStylus(felt.options().stylus);
         other.overlay->update(other.touch, camera, proxyRadius);
     }
 }

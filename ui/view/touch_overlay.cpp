@@ -27,7 +27,9 @@ constexpr double kProxyLeast = 5.5, kFingerLeast = 4.5, kHalo = 13;
 constexpr double kCoil = 4, kWire = 1.1, kCoilPitch = 7;
 constexpr double kShaft = 2, kHead = 6.5, kArrowHead = 17, kArrowAtLimit = 240, kArrowLeast = 22;
 constexpr double kDisc = 30, kNormalLength = 42, kNormalShaft = 1, kNormalHead = 4, kNormalHeadLength = 10;
-constexpr int kCoilSteps = 14; ///< points of a turn
+constexpr double kPen = 4.5, kPenPoint = 26, kPenLength = 130;
+constexpr double kPenRight = 0.5, kPenUp = 0.8, kPenNear = 0.45; ///< parts of the way along it
+constexpr int kCoilSteps = 14;                                   ///< points of a turn
 
 /// A disc or ring of outer radius 1 across Y.
 vtkNew<vtkTransformPolyDataFilter> disc(double inner) {
@@ -135,7 +137,7 @@ Vec3 arrowTip(const TouchState& state, const ViewCamera& camera) {
 struct TouchOverlay::Impl {
     Impl(vtkRenderer& solid, vtkRenderer& ghost)
         : spring(solid, ghost, *tube), proxy(solid, ghost, *ball()), finger(solid, ghost, *ball()),
-          halo(solid, ghost, *disc(0.84)), arrow(solid, ghost) {
+          halo(solid, ghost, *disc(0.84)), arrow(solid, ghost), pen(solid, ghost) {
         for (int i = 0; i < kMaxModelPlanes; ++i)
             contacts.push_back(std::make_unique<ContactMark>(solid, ghost));
         tube->SetInputData(line);
@@ -144,18 +146,19 @@ struct TouchOverlay::Impl {
     }
 
     void placeSpring(const TouchState& state, double pixel);
+    void placePen(const TouchState& state, const ViewCamera& camera, double pixel);
     void placeArrow(const TouchState& state, const ViewCamera& camera, double pixel);
     void placeContact(ContactMark& mark, const ContactReport& contact, double pixel, double proxyRadius);
 
     const Theme* theme = &kDarkTheme;
     QColor force; ///< the proxy's
     double scale = 1;
-    bool visible = true, normals = true, planes = true;
+    bool visible = true, normals = true, planes = true, stylus = false;
     vtkNew<vtkPolyData> line;
     vtkNew<vtkTubeFilter> tube;
     std::vector<std::unique_ptr<ContactMark>> contacts;
     TouchShape spring, proxy, finger, halo;
-    TouchArrow arrow;
+    TouchArrow arrow, pen;
 };
 
 TouchOverlay::TouchOverlay(vtkRenderer& solid, vtkRenderer& ghost)
@@ -171,6 +174,7 @@ void TouchOverlay::setTheme(const Theme& theme, std::size_t hand) {
     impl_->theme = &theme;
     impl_->force = colours.proxy;
     impl_->finger.setColour(colours.finger);
+    impl_->pen.setColour(colours.finger);
     impl_->halo.setColour(colours.finger, 0.55);
     impl_->proxy.setColour(colours.proxy);
     impl_->spring.setColour(theme.dark ? QColor(0xd6, 0xda, 0xe0) : QColor(0x5a, 0x62, 0x6d));
@@ -180,6 +184,7 @@ void TouchOverlay::setVisible(bool visible) {
     impl_->visible = visible;
     for (TouchShape* shape : {&impl_->spring, &impl_->proxy, &impl_->finger, &impl_->halo})
         shape->setVisible(visible);
+    impl_->pen.setVisible(visible && impl_->stylus);
     if (visible) return;
     impl_->arrow.setVisible(false);
     for (auto& mark : impl_->contacts)
@@ -189,6 +194,11 @@ void TouchOverlay::setVisible(bool visible) {
 void TouchOverlay::setMarks(bool normals, bool planes) {
     impl_->normals = normals;
     impl_->planes = planes;
+}
+
+void TouchOverlay::setStylus(bool shown) {
+    impl_->stylus = shown;
+    impl_->pen.setVisible(impl_->visible && shown);
 }
 
 void TouchOverlay::setScale(double scale) {
@@ -206,6 +216,7 @@ void TouchOverlay::update(const TouchState& state, const ViewCamera& camera, dou
     impl_->halo.place(state.finger, -camera.forward(), std::max(kHalo * atFinger, 1.8 * fingerRadius), 1);
     impl_->placeSpring(state, pixel);
     impl_->placeArrow(state, camera, pixel);
+    if (impl_->stylus) impl_->placePen(state, camera, pixel);
     for (int i = 0; i < kMaxModelPlanes; ++i) {
         const bool there = i < state.contacts;
         impl_->contacts[i]->setVisible(there && impl_->normals, there && impl_->planes);
@@ -220,6 +231,12 @@ void TouchOverlay::Impl::placeSpring(const TouchState& state, double pixel) {
     if (!apart) return;
     coil(*line, state.proxy, state.finger, kCoil * pixel, kCoilPitch * pixel);
     tube->SetRadius(kWire * pixel);
+}
+
+void TouchOverlay::Impl::placePen(const TouchState& state, const ViewCamera& camera, double pixel) {
+    const Vec3 along = kPenRight * camera.right() + kPenUp * camera.up() - kPenNear * camera.forward();
+    const Vec3 end = state.proxy + kPenLength * pixel * along.normalized();
+    pen.place(end, state.proxy, kPen * pixel, kPen * pixel, kPenPoint * pixel);
 }
 
 void TouchOverlay::Impl::placeArrow(const TouchState& state, const ViewCamera& camera, double pixel) {

@@ -57,6 +57,8 @@ public:
     void setVisible(bool visible);
     /// Which of the marks of contacts are shown: their normals, their planes.
     void setMarks(bool normals, bool planes);
+    /// A pen whose tip is the proxy: it leads up and toward the eye, whatever is touched.
+    void setStylus(bool shown);
     /// Of everything but the length of the force's arrow.
     void setScale(double scale);
     /// Places everything for the camera; pixels are logical ones. proxyRadius in m.

@@ -130,6 +130,10 @@ private slots:
         overlay.setVisible(true);
         overlay.update(touched(), camera(), 0.001);
         COMPARE_SHOWN(stage.props(), "touch");
+        overlay.setStylus(true); // its point is the proxy
+        overlay.update(touched(), camera(), 0.001);
+        COMPARE_SHOWN(stage.props(), "touch-stylus");
+        overlay.setStylus(false);
         TouchState state = touched();
         state.armed = false;
         state.contact[0].frictionless = true;

@@ -62,8 +62,8 @@ private slots:
         {
             Opened opened;
             QVERIFY(opened.felt() == FeltOptions{});
-            for (const char* id : {"contact-planes", "friction-cone", "trail", "spheres", "felt-normals",
-                                   "map-viscosity", "bumps-10", "relief", "spheres-finer"})
+            for (const char* id : {"contact-planes", "stylus", "friction-cone", "trail", "spheres",
+                                   "felt-normals", "map-viscosity", "bumps-10", "relief", "spheres-finer"})
                 opened.program.command(id).trigger();
             opened.settle();
             QVERIFY(!opened.felt().planes);
@@ -73,7 +73,7 @@ private slots:
         Opened again;
         FeltOptions expected;
         expected.planes = expected.relief = false;
-        expected.cone = expected.trail = expected.spheres = expected.feltNormals = true;
+        expected.stylus = expected.cone = expected.trail = expected.spheres = expected.feltNormals = true;
         expected.map = FeltValue::Viscosity;
         expected.bumps = 10;
         again.settle();
