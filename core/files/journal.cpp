@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
 // the header and the JSON in one file, and the rest in blocks, each a file named by its fingerprint: an edit
 // of a number writes kilobytes, and the last block, where small pictures of a material for other programs
 // are. Who replaces the first file has changed the journal, so that is done last.
-constexpr std::string_view kMagic = "tactum journal 2\n";
+constexpr std::string_view kMagic = "tactum journal 3\n";
+constexpr std::string_view kWithoutGroups = "tactum journal 2\n";  // whose steps are of another form
 constexpr std::string_view kWithoutHistory = "tactum journal 1\n"; // of an earlier version; as long
 constexpr const char *kNumbers = "journal", *kUnpacked = "scene.glb";
 constexpr std::string_view kShapes = "shapes-";
@@ -127,7 +128,7 @@ std::string bytesOf(SceneHistory history, const KnownParts& elsewhere) {
     historyBytes(states, history, tables);
     objects.count(tables.objects, 64);
     for (SceneObject& each : tables.objects)
-        objectBytes(objects, each, tables.shared), setsBytes(objects, each);
+        objectBytes(objects, each, tables.shared), authorBytes(objects, each);
     writeTables(shapes, tables.shared, elsewhere);
     return shapes.bytes + objects.bytes + states.bytes;
 }
@@ -137,7 +138,7 @@ SceneHistory readHistory(ByteIn& in, const Scene& scene) {
     readTables(in, tables.shared, {[&] { return KnownParts(scene); }});
     in.count(tables.objects, 64);
     for (SceneObject& each : tables.objects)
-        objectBytes(in, each, tables.shared), setsBytes(in, each);
+        objectBytes(in, each, tables.shared), authorBytes(in, each);
     SceneHistory history;
     historyBytes(in, history, tables);
     return history;
@@ -191,7 +192,8 @@ Result<Journal> readStamp(const fs::path& folder) {
     constexpr std::size_t kPrint = 64;
     const std::string_view all = *bytes;
     const bool isOld = all.starts_with(kWithoutHistory);
-    if (!(all.starts_with(kMagic) || isOld) || all.size() < kMagic.size() + kPrint)
+    const bool hasNoGroups = all.starts_with(kWithoutGroups);
+    if (!(all.starts_with(kMagic) || hasNoGroups || isOld) || all.size() < kMagic.size() + kPrint)
         return damaged(folder, "it does not begin as one");
     const std::string_view rest = all.substr(kMagic.size() + kPrint);
     if (sha256(rest) != all.substr(kMagic.size(), kPrint)) return damaged(folder, "bytes have changed");
@@ -200,6 +202,7 @@ Result<Journal> readStamp(const fs::path& folder) {
         Journal journal;
         fields(in, journal);
         if (!isOld) in(journal.history);
+        if (hasNoGroups) journal.history.clear();
         return journal;
     } catch (const ByteFault& fault) {
         return damaged(folder, fault.error.text);

@@ -7,6 +7,8 @@
 #include <optional>
 #include <set>
 
+#include "core/scene/groups.h"
+
 namespace tactum {
 namespace {
 
@@ -84,6 +86,7 @@ public:
                         "give it the name that it had, or set its feel by hand");
             }
         carrySets(onto);
+        carryGroups(onto);
         sayWhatIsLeft(onto);
         onto.proxyRadius = from_.proxyRadius;
         if (!onto.finger) onto.finger = from_.finger;
@@ -193,6 +196,17 @@ private:
                                                          : " left out, for it was painted on another object"),
                     paint == Paint::OnAnotherShape ? "look whether the paint lies where it should"
                                                    : "paint it again");
+    }
+
+    /// By the names of the objects.
+    void carryGroups(Scene& onto) {
+        std::map<std::string, std::string> groups;
+        for (const SceneObject& from : from_.objects)
+            groups.try_emplace(plainName(from.name), from.group);
+        for (SceneObject& object : onto.objects)
+            if (const auto found = groups.find(plainName(object.name)); found != groups.end())
+                object.group = found->second;
+        gatherGroups(onto);
     }
 
     /// By the names of the objects; triangles that are not those of before are in no set.

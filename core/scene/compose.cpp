@@ -5,40 +5,40 @@
 #include <set>
 #include <utility>
 
-#include "core/base/text.h"
 #include "core/scene/bodies.h"
+#include "core/scene/groups.h"
+#include "core/scene/numbered_names.h"
 
 namespace tactum {
 namespace {
 
-/// Names that are given out once each.
-class Names {
+NumberedNames namesOf(const Scene& scene) {
+    NumberedNames names;
+    for (const SceneObject& object : scene.objects)
+        names.reserve(object.name);
+    return names;
+}
+
+/// What the groups of copies are called: a whole group becomes another one, and what is of a part of one that
+/// `scene` has stays with it.
+class CopiedGroups {
 public:
-    explicit Names(const Scene& scene) {
+    CopiedGroups(const Scene& scene, const Scene& from, std::span<const ObjectId> copied)
+        : whole_(wholeGroups(from, copied)) {
         for (const SceneObject& object : scene.objects)
-            taken_.insert(lowerCase(object.name));
+            names_.reserve(object.group), known_.insert(object.group);
     }
-    std::string take(const std::string& wanted) {
-        if (taken_.insert(lowerCase(wanted)).second) return wanted;
-        const std::string stem = stemOf(wanted);
-        int& number = numbers_.try_emplace(lowerCase(stem), 1).first->second;
-        for (;;)
-            if (const std::string name = stem + ' ' + std::to_string(++number);
-                taken_.insert(lowerCase(name)).second)
-                return name;
+    std::string operator()(const std::string& group) {
+        if (group.empty() || (known_.contains(group) && !whole_.contains(group))) return group;
+        const auto [to, isNew] = to_.try_emplace(group);
+        if (isNew) to->second = names_.take(group);
+        return to->second;
     }
 
 private:
-    /// One more of "cup 2" is "cup 3".
-    static std::string stemOf(const std::string& name) {
-        const auto last = name.find_last_not_of("0123456789");
-        const bool numbered =
-            last != std::string::npos && last > 0 && last + 1 < name.size() && name[last] == ' ';
-        return numbered ? name.substr(0, last) : name;
-    }
-
-    std::set<std::string> taken_;
-    std::map<std::string, int> numbers_; ///< of each stem, the last that was given out
+    std::set<std::string> whole_, known_;
+    NumberedNames names_;
+    std::map<std::string, std::string> to_;
 };
 
 ObjectId largestId(const Scene& scene) {
@@ -137,20 +137,22 @@ GoingAlong allOf(const Scene& scene) {
 }
 
 std::string freeName(const Scene& scene, const std::string& wanted) {
-    return Names(scene).take(wanted);
+    return namesOf(scene).take(wanted);
 }
 
 std::vector<ObjectId> addCopies(Scene& scene, const Scene& from, const GoingAlong& what, ObjectId above) {
     const Renamed<BodyId> bodies(what.bodies, largestBody(scene));
     copyMechanics(scene, from.mechanics, what, bodies);
     const std::set<ObjectId> wanted(what.objects.begin(), what.objects.end());
-    Names names(scene);
+    NumberedNames names = namesOf(scene);
+    CopiedGroups groups(scene, from, what.objects);
     std::vector<ObjectId> added;
     above = std::max(above, largestId(scene));
     for (SceneObject object : from.objects) {
         if (!wanted.contains(object.id)) continue;
         object.id = ++above;
         object.name = names.take(object.name);
+        object.group = groups(object.group);
         object.body = bodies(object.body);
         added.push_back(object.id);
         scene.objects.push_back(std::move(object));

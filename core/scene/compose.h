@@ -19,7 +19,8 @@ std::string freeName(const Scene& scene, const std::string& wanted);
 
 /// Puts copies of these parts of `from` behind what `scene` has, which may be a copy of it: geometry and
 /// images are shared. Objects get free names and ids larger than `above` and than any that is there; they
-/// are given back in their order. Joints hold the copies of what they hold; what stays behind in the same
+/// are given back in their order. A whole group becomes another one with a free name; of a part of one in
+/// `scene` the copies are in it, too. Joints hold the copies of what they hold; what stays behind in the same
 /// scene holds its copies as well.
 std::vector<ObjectId> addCopies(Scene& scene, const Scene& from, const GoingAlong& what, ObjectId above = 0);
 

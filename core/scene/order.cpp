@@ -5,6 +5,7 @@
 #include <functional>
 #include <iterator>
 
+#include "core/scene/groups.h"
 #include "core/scene/standing.h"
 
 namespace tactum {
@@ -42,17 +43,36 @@ void reorder(Scene& scene, std::span<const ObjectId> objects, ObjectId before) {
     scene.objects.insert(place, std::make_move_iterator(taken.begin()), std::make_move_iterator(taken.end()));
 }
 
+namespace {
+
+/// Whether `at`, the outermost of these, would have to leave its group for the place of `next`.
+bool staysInGroup(const Scene& scene, std::span<const ObjectId> objects, const SceneObject& at,
+                  const SceneObject& next) {
+    return !at.group.empty() && at.group != next.group && !wholeGroups(scene, objects).contains(at.group);
+}
+
+} // namespace
+
 void moveUp(Scene& scene, std::span<const ObjectId> objects) {
     const auto first = std::ranges::find_if(scene.objects, isOneOf(objects));
     if (first == scene.objects.end()) return;
-    reorder(scene, objects, first == scene.objects.begin() ? first->id : std::prev(first)->id);
+    if (first == scene.objects.begin()) return reorder(scene, objects, first->id);
+    const SceneObject& above = *std::prev(first);
+    if (staysInGroup(scene, objects, *first, above)) return;
+    const bool passes = !above.group.empty() && above.group != first->group;
+    reorder(scene, objects, passes ? objectsOfGroup(scene, above.group).front() : above.id);
 }
 
 void moveDown(Scene& scene, std::span<const ObjectId> objects) {
-    const auto last = std::find_if(scene.objects.rbegin(), scene.objects.rend(), isOneOf(objects)).base();
-    if (last == scene.objects.begin()) return;
-    const auto left = scene.objects.end() - last; // below the last of them
-    reorder(scene, objects, left < 2 ? 0 : std::next(last)->id);
+    const auto end = std::find_if(scene.objects.rbegin(), scene.objects.rend(), isOneOf(objects)).base();
+    if (end == scene.objects.begin()) return;
+    if (end == scene.objects.end()) return reorder(scene, objects, 0);
+    const SceneObject &last = *std::prev(end), &below = *end;
+    if (staysInGroup(scene, objects, last, below)) return;
+    const bool passes = !below.group.empty() && below.group != last.group;
+    const ObjectId passed = passes ? objectsOfGroup(scene, below.group).back() : below.id;
+    const auto behind = std::next(std::ranges::find(scene.objects, passed, &SceneObject::id));
+    reorder(scene, objects, behind == scene.objects.end() ? 0 : behind->id);
 }
 
 void align(Scene& scene, std::span<const GoingAlong> parts, const Bounds& to, int axis, BoxSide side) {

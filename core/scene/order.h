@@ -13,7 +13,9 @@ namespace tactum {
 /// Brings objects before another one of the list, or to its end for an id that the scene has not; among
 /// themselves they keep their order. Before one of themselves they come to where that one is.
 void reorder(Scene& scene, std::span<const ObjectId> objects, ObjectId before);
-/// Brings them together before the one that is above the first of them, or behind the one below the last.
+/// Brings them together before the one that is above the first of them, or behind the one below the last. A
+/// group that none of them is in is passed as a whole, and they leave theirs only together with all of it: at
+/// its edge a part of one stays.
 void moveUp(Scene& scene, std::span<const ObjectId> objects);
 void moveDown(Scene& scene, std::span<const ObjectId> objects);
 

@@ -67,6 +67,7 @@ struct SceneObject {
     std::vector<Surface> surfaces;                ///< geometry->surfaceOf indexes it
     BodyId body = kWorldBody;                     ///< that it moves with; its pose is then that at the time 0
     bool visible = true;
+    std::string group;                ///< that it is in, by its name; empty: none. See core/scene/groups.h
     std::vector<NamedTriangles> sets; ///< rising by names, each once, none without triangles
     Kept kept;                        ///< of its glTF node
     Kept keptMesh;                    ///< of its glTF mesh

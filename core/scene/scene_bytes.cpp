@@ -118,7 +118,7 @@ void readTable(ByteIn& in, SharedTable<T>& table, Read read, Known known, const 
 } // namespace
 
 template <class Io> void objectBytes(Io& io, SceneObject& object, SceneTables& tables) {
-    auto& [id, name, pose, motion, geometry, surfaces, body, visible, sets, kept, keptMesh] = object;
+    auto& [id, name, pose, motion, geometry, surfaces, body, visible, group, sets, kept, keptMesh] = object;
     io(id), io(pose), io(body), io(visible);
     keptBytes(io, kept), keptBytes(io, keptMesh);
     nameBytes(io, name);
@@ -126,7 +126,7 @@ template <class Io> void objectBytes(Io& io, SceneObject& object, SceneTables& t
     io.count(surfaces, 64);
     for (Surface& surface : surfaces)
         surfaceBytes(io, surface, tables);
-    static_cast<void>(sets); // setsBytes()
+    static_cast<void>(group), static_cast<void>(sets); // authorBytes()
     if constexpr (!Io::kReads) return;
     io.demand(geometry != nullptr, "an object has no geometry");
     const Index count = Index(surfaces.size());
@@ -134,7 +134,8 @@ template <class Io> void objectBytes(Io& io, SceneObject& object, SceneTables& t
     io.demand(known, "a triangle is of a surface that there is not");
 }
 
-template <class Io> void setsBytes(Io& io, SceneObject& object) {
+template <class Io> void authorBytes(Io& io, SceneObject& object) {
+    nameBytes(io, object.group);
     io.count(object.sets, 16);
     for (auto& [name, triangles] : object.sets)
         nameBytes(io, name), io.bulk(triangles);
@@ -166,14 +167,14 @@ template <class Io> void sceneBytes(Io& io, Scene& scene, SceneTables& tables) {
     keptBytes(io, kept);
     io.count(objects, 64);
     for (SceneObject& object : objects)
-        objectBytes(io, object, tables), setsBytes(io, object);
+        objectBytes(io, object, tables), authorBytes(io, object);
     if constexpr (Io::kReads) demandOneScene(io, scene);
 }
 
 template void objectBytes(StringOut&, SceneObject&, SceneTables&);
 template void objectBytes(ByteIn&, SceneObject&, SceneTables&);
-template void setsBytes(StringOut&, SceneObject&);
-template void setsBytes(ByteIn&, SceneObject&);
+template void authorBytes(StringOut&, SceneObject&);
+template void authorBytes(ByteIn&, SceneObject&);
 template void sceneBytes(StringOut&, Scene&, SceneTables&);
 template void sceneBytes(ByteIn&, Scene&, SceneTables&);
 

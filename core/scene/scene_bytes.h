@@ -19,10 +19,10 @@ struct SceneTables {
 // They write to a StringOut and read from a ByteIn, which throws ByteFault at everything that a scene cannot
 // be. Names are safe to print then. Thread of all: any but real time.
 
-/// Without its selection sets, which recordings have no use for: their form stays what it was.
+/// Without its group and its selection sets, which recordings have no use for: their form stays what it was.
 template <class Io> void objectBytes(Io& io, SceneObject& object, SceneTables& tables);
-/// The selection sets of an object that is there already.
-template <class Io> void setsBytes(Io& io, SceneObject& object);
+/// What of an object that is there already is its author's alone: its group, its selection sets.
+template <class Io> void authorBytes(Io& io, SceneObject& object);
 template <class Io> void sceneBytes(Io& io, Scene& scene, SceneTables& tables);
 
 /// What is in `elsewhere` is only named.

@@ -51,6 +51,7 @@ std::string difference(const Scene& a, const Scene& b) {
         if (!(x.pose == y.pose)) return at + "pose";
         if (x.body != y.body) return at + "body";
         if (x.visible != y.visible) return at + "visible";
+        if (x.group != y.group) return at + "group " + x.group + " | " + y.group;
         if (x.sets != y.sets) return at + "selection sets";
         if (bool(x.motion) != bool(y.motion) || (x.motion && !(*x.motion == *y.motion))) return at + "motion";
         if (x.geometry->positions != y.geometry->positions) return at + "positions";

@@ -12,6 +12,7 @@
 #include "core/files/gltf/gltf_animation.h"
 #include "core/files/gltf/gltf_cameras.h"
 #include "core/files/gltf/gltf_foreign.h"
+#include "core/files/gltf/gltf_groups.h"
 #include "core/files/gltf/gltf_mesh.h"
 #include "core/files/gltf/gltf_mirror.h"
 #include "core/files/gltf/gltf_motion.h"
@@ -26,6 +27,7 @@
 #include "core/files/gltf/write_physics.h"
 #include "core/files/images/read_image.h"
 #include "core/files/readers.h"
+#include "core/scene/groups.h"
 #include "core/scene/selection_sets.h"
 
 namespace tactum {
@@ -53,7 +55,7 @@ class GltfReader {
 public:
     GltfReader(const Source& source, const Progress& progress)
         : source_(source), progress_(progress), file_(weeded(source, damagedAnimations_)),
-          model_(unpacked(source, file_)), meshes_(source, file_, model_, progress) {}
+          groups_(file_.json), model_(unpacked(source, file_)), meshes_(source, file_, model_, progress) {}
 
     LoadedScene read();
 
@@ -88,6 +90,7 @@ private:
     const Progress& progress_;
     std::size_t damagedAnimations_ = 0; ///< which file_ has no more
     GltfFile file_;
+    GltfGroups groups_; ///< which file_ has no more
     tinygltf::Model model_;
     GltfMeshReader meshes_;
     std::vector<std::string> copies_ = copiesIn(file_.json); ///< of our own writer
@@ -175,6 +178,7 @@ LoadedScene GltfReader::read() {
     CountedFindings(loaded_.findings, "")
         .add(Severity::Warning, damagedAnimations_, "animation", "that is damaged left out",
              "what it moves stands still; export it again");
+    loaded_.findings.insert(loaded_.findings.end(), groups_.findings().begin(), groups_.findings().end());
     const GltfMotions motions(source_, model_);
     loaded_.findings.insert(loaded_.findings.end(), motions.findings().begin(), motions.findings().end());
     noteStretchedRotations(model_, loaded_.findings);
@@ -202,6 +206,7 @@ LoadedScene GltfReader::read() {
             meshes_.countTriangles(mesh->second.soup.triangles.size());
         place(placed, mesh->second);
     }
+    gatherGroups(loaded_.scene);
     noteLostAttributes(all);
     sayMirrored();
     keepCameras(cameras);
@@ -308,6 +313,7 @@ void GltfReader::place(const PlacedMesh& placed, const RawMesh& raw) {
     if (areSetsOf(raw.sets, object.geometry->triangles.size())) object.sets = raw.sets;
     object.pose = placed.pose;
     object.motion = placed.motion;
+    object.group = groups_.of(placed.node);
     if (const auto body = bodyOfNode_.find(placed.node); body != bodyOfNode_.end())
         object.body = body->second;
     keep(object, placed, raw);

@@ -9,6 +9,7 @@
 #include "core/files/gltf/gltf_animation.h"
 #include "core/files/gltf/gltf_cameras.h"
 #include "core/files/gltf/gltf_foreign.h"
+#include "core/files/gltf/gltf_groups.h"
 #include "core/files/gltf/gltf_mirror.h"
 #include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
@@ -64,6 +65,7 @@ private:
     int addNode(const SceneObject& object);
     int addCamera(const SavedCamera& camera);
     std::vector<int> addNodes();
+    void hang(const std::string& group, int node, std::vector<int>& roots);
     const RigidBody* bodyOf(BodyId id) const;
     int put(const char* array, Json element, const Kept& kept, std::set<int>& claimed);
     int place(Json node, const Kept& kept, const Pose& pose);
@@ -84,7 +86,8 @@ private:
     std::map<const TriangleSoup*, Stored> soups_;
     std::map<const TriangleSoup*, int> shapes_; ///< their meshes
     std::set<int> claimedNodes_, claimedMaterials_, claimedCameras_;
-    std::vector<int> nodes_; ///< of each object
+    std::vector<int> nodes_;            ///< of each object
+    std::map<std::string, int> groups_; ///< their nodes
     std::map<BodyId, const RigidBody*> bodies_;
 };
 
@@ -362,31 +365,45 @@ void GltfWriter::finishRoot(const std::vector<int>& roots) {
     if (std::ranges::find(used, Json(kExtension)) == used.end()) used.push_back(kExtension);
 }
 
+/// At the root, or on the node of its group, which is where the first of it is.
+void GltfWriter::hang(const std::string& group, int node, std::vector<int>& roots) {
+    if (group.empty()) return roots.push_back(node);
+    const auto [known, isNew] = groups_.try_emplace(group);
+    if (isNew) roots.push_back(known->second = data_.add("nodes", groupNodeJson(group)));
+    root_["nodes"][std::size_t(known->second)]["children"].push_back(node);
+}
+
 /// Those of the scene: what stands still, and bodies with what moves with them, in the author's order as far
 /// as objects of one body stand together.
 std::vector<int> GltfWriter::addNodes() {
     physics_.addParts();
     std::map<BodyId, std::vector<int>> below;
-    std::vector<std::pair<BodyId, int>> order; // a body or an object, as it is met first
+    std::map<BodyId, std::string> groupOf; // of the first of each
+    struct Met {
+        BodyId body;
+        int node;
+        std::string group;
+    };
+    std::vector<Met> order; // a body or an object, as it is met first
     for (std::size_t i = 0; i < scene_.objects.size() && !progress_.isCancelled(); ++i) {
         if (progress_.report) progress_.report(double(i) / double(scene_.objects.size()));
         const SceneObject& object = scene_.objects[i];
         const int node = addNode(object);
         if (!bodyOf(object.body))
-            order.emplace_back(kWorldBody, node);
+            order.push_back({kWorldBody, node, object.group});
         else if (below[object.body].empty())
-            order.emplace_back(object.body, -1);
+            order.push_back({object.body, -1, groupOf[object.body] = object.group});
         if (bodyOf(object.body)) below[object.body].push_back(node);
     }
     std::vector<int> roots;
     auto next = scene_.mechanics.bodies.begin();
     const auto addBodiesTo = [&](const auto& end) {
         for (; next < end; ++next)
-            roots.push_back(physics_.addBody(*next, below[next->id]));
+            hang(groupOf[next->id], physics_.addBody(*next, below[next->id]), roots);
     };
-    for (const auto& [body, node] : order)
+    for (const auto& [body, node, group] : order)
         if (body == kWorldBody)
-            roots.push_back(node);
+            hang(group, node, roots);
         else
             addBodiesTo(scene_.mechanics.bodies.begin() + (bodyOf(body) - scene_.mechanics.bodies.data()) +
                         1);

@@ -195,9 +195,9 @@ std::string formatSchema() {
         "extensions.TACTUM_haptics of a node.",
         {{"visible", flag("Whether it is seen and felt.")},
          {"role",
-          {{"enum", {"body", "collider", "joint", "camera"}},
-           {"description", "Of a node that Tactum made for KHR_physics_rigid_bodies or for a camera of its "
-                           "own, and makes anew."}}},
+          {{"enum", {"body", "collider", "joint", "camera", "group"}},
+           {"description", "Of a node that Tactum made for KHR_physics_rigid_bodies, for a camera of its own "
+                           "or for a group of objects, and makes anew."}}},
          {"ahead",
           {{"type", "number"},
            {"exclusiveMinimum", 0},

@@ -137,6 +137,22 @@ private slots:
         QCOMPARE(back->size(), 0u);
     }
 
+    /// Its steps have another form.
+    void ofAJournalFromBeforeGroupsTheSceneIsReadAlone() {
+        SceneHistory history;
+        history.done.push_back({"softer", sceneOf(600)});
+        VERIFY_RESULT(writeJournal(folder_, entryOf(), sceneOf(), history));
+        std::string bytes = read(folder_ / "journal");
+        bytes[bytes.find('\n') - 1] = '2';
+        std::ofstream(folder_ / "journal", std::ios::binary) << bytes;
+        const auto loaded = loadScene(*unpackJournal(folder_));
+        VERIFY_RESULT(loaded);
+        QCOMPARE(loaded->scene.objects.size(), sceneOf().objects.size());
+        const auto back = readJournalHistory(folder_, loaded->scene);
+        VERIFY_RESULT(back);
+        QCOMPARE(back->size(), 0u);
+    }
+
     /// What an edit of a number costs is its numbers, and the last block: meshes lie in files that stay.
     void anEditWritesNumbersAlone() {
         constexpr Index kLarge = 200'000;
