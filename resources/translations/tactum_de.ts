@@ -724,6 +724,10 @@
             <translation>&amp;Boden und Schatten</translation>
         </message>
         <message>
+            <source>&amp;Group</source>
+            <translation>Grupp&amp;ieren</translation>
+        </message>
+        <message>
             <source>&amp;Grow</source>
             <translation>&amp;Erweitern</translation>
         </message>
@@ -1638,6 +1642,10 @@
         <message>
             <source>All keys on one page</source>
             <translation>Alle Tasten auf einer Seite</translation>
+        </message>
+        <message>
+            <source>All objects of the groups that something is selected of; a double click on an object does the same</source>
+            <translation>Alle Objekte der Gruppen, von denen etwas ausgewählt ist; ein Doppelklick auf ein Objekt tut dasselbe</translation>
         </message>
         <message>
             <source>All of %1 went, not its selected surfaces alone.</source>
@@ -2964,6 +2972,10 @@
             <translation>Rillen</translation>
         </message>
         <message>
+            <source>Group %1</source>
+            <translation>%1 gruppieren</translation>
+        </message>
+        <message>
             <source>Guess</source>
             <translation>Schätzen</translation>
         </message>
@@ -4147,6 +4159,10 @@
             <translation>Nichts ist gewählt; zuerst das Objekt auswählen (Q).</translation>
         </message>
         <message>
+            <source>Nothing of a group is selected.</source>
+            <translation>Nichts aus einer Gruppe ist ausgewählt.</translation>
+        </message>
+        <message>
             <source>Nothing was changed.</source>
             <translation>Nichts wurde geändert.</translation>
         </message>
@@ -5157,6 +5173,14 @@ der Grenze rendern</translation>
             <translation>Oberfläche %1 auswählen</translation>
         </message>
         <message>
+            <source>Select the &amp;whole group</source>
+            <translation>Ganze Gruppe aus&amp;wählen</translation>
+        </message>
+        <message>
+            <source>Select the objects that are to be a group first.</source>
+            <translation>Zuerst die Objekte auswählen, die eine Gruppe sein sollen.</translation>
+        </message>
+        <message>
             <source>Select the surfaces that are to feel like %1, or drag it onto one.</source>
             <translation>Die Oberflächen auswählen, die sich wie %1 anfühlen sollen, oder es auf eine ziehen.</translation>
         </message>
@@ -5608,6 +5632,10 @@ der Grenze rendern</translation>
             <translation>Sie einschalten, wenn Sie den Griff halten.</translation>
         </message>
         <message>
+            <source>Ta&amp;ke the group apart</source>
+            <translation>Gruppe &amp;auflösen</translation>
+        </message>
+        <message>
             <source>Tab in the view</source>
             <translation>Tab in der Ansicht</translation>
         </message>
@@ -5618,6 +5646,10 @@ der Grenze rendern</translation>
         <message>
             <source>Tactum</source>
             <translation>Tactum</translation>
+        </message>
+        <message>
+            <source>Take a group apart</source>
+            <translation>Eine Gruppe auflösen</translation>
         </message>
         <message>
             <source>Take back</source>
@@ -6194,6 +6226,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>The selected object turns about an edge, as its form suggests; the dock Body changes it</source>
             <translation>Das gewählte Objekt dreht sich um eine Kante, wie seine Form es nahelegt; der Bereich Körper ändert es</translation>
+        </message>
+        <message>
+            <source>The selected objects become a group under a name, which is selected, moved and hidden as a whole</source>
+            <translation>Die ausgewählten Objekte werden eine Gruppe mit einem Namen, die im Ganzen ausgewählt, bewegt und ausgeblendet wird</translation>
         </message>
         <message>
             <source>The selected objects come before the one above them in the list; dragging their rows does the same</source>
@@ -6876,6 +6912,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Was die höchsten Stellen des Musters zum Wert des Materials hinzufügen, als Teil davon; -1 nimmt ihn weg.</translation>
         </message>
         <message>
+            <source>What the selected objects are grouped by goes; all objects stay</source>
+            <translation>Die Gruppen der ausgewählten Objekte verschwinden; alle Objekte bleiben</translation>
+        </message>
+        <message>
             <source>What was answered so far is kept, and the run can be gone on with.</source>
             <translation>Ihre bisherigen Antworten bleiben erhalten, und der Lauf kann fortgesetzt werden.</translation>
         </message>
@@ -7106,6 +7146,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>a body on joints</source>
             <translation>ein Körper an Gelenken</translation>
+        </message>
+        <message>
+            <source>a group</source>
+            <translation>eine Gruppe</translation>
         </message>
         <message>
             <source>a loose body</source>

@@ -4,6 +4,7 @@
 #include <ranges>
 #include <utility>
 
+#include "core/scene/groups.h"
 #include "core/scene/placing.h"
 #include "ui/base/numbers.h"
 #include "ui/base/words.h"
@@ -349,7 +350,8 @@ void Document::setProxyRadius(double metres, Gesture gesture) {
         {SceneChange::What::ProxyRadius}, gesture);
 }
 
-template <class Change> void Document::editObjects(const QString& text, SceneChange change, Change&& each) {
+void Document::editObjects(const QString& text, SceneChange change,
+                           const std::function<void(SceneObject&)>& each) {
     auto objects = scene_.objects;
     for (SceneObject& object : objects)
         each(object);
@@ -403,7 +405,13 @@ void Document::editScene(const QString& text, SceneChange::What what,
 }
 
 void Document::editBodies(const QString& text, const std::function<void(Scene&)>& change, Gesture gesture) {
-    editScene(text, SceneChange::What::Bodies, change, gesture);
+    editScene(
+        text, SceneChange::What::Bodies,
+        [&](Scene& scene) {
+            change(scene);
+            gatherGroups(scene); // a body is in one group
+        },
+        gesture);
 }
 
 void Document::replaceScene(const QString& text, const Scene& scene) {

@@ -191,6 +191,14 @@ public:
     /// Anything of the scene, in one step of the history.
     void editScene(const QString& text, SceneChange::What what, const std::function<void(Scene&)>& change,
                    Gesture gesture = 0);
+    /// The order of the objects, and which groups they are in, by the functions of core/scene/order.h and
+    /// groups.h, in one step of the history.
+    void editOrder(const QString& text, const std::function<void(Scene&)>& change);
+    void group(const std::vector<ObjectId>& objects);
+    /// Those that these objects are in.
+    void ungroup(const std::vector<ObjectId>& objects);
+    void renameGroup(const std::string& group, const QString& name);
+    void setGroupVisible(const std::string& group, bool visible);
     /// Bodies and joints, by the functions of core/scene/bodies.h, in one step of the history.
     void editBodies(const QString& text, const std::function<void(Scene&)>& change, Gesture gesture = 0);
     /// Another state of the scene in place of this one, as one step of the history.
@@ -304,7 +312,7 @@ private:
     template <class T>
     void edit(const QString& text, Place<T> place, T value, SceneChange change, Gesture gesture = 0);
     void changeObjectNow(ObjectId id, const QString& text, const std::function<void(SceneObject&)>& change);
-    template <class Change> void editObjects(const QString& text, SceneChange change, Change&& each);
+    void editObjects(const QString& text, SceneChange change, const std::function<void(SceneObject&)>& each);
     QString namesOf(const SurfaceRefs& refs) const;
     /// A finding of the reader, and the object that it is about; 0 for the scene.
     struct FileFinding {

@@ -8,6 +8,7 @@
 #include "core/files/source.h"
 #include "core/import/import_scene.h"
 #include "core/scene/carry_feel.h"
+#include "core/scene/groups.h"
 #include "core/scene/keep_places.h"
 #include "ui/document/document.h"
 
@@ -89,7 +90,9 @@ void putBack(Scene& onto, const Scene& whole, const std::vector<ObjectId>& other
     const std::size_t before = onto.objects.size();
     addScene(onto, std::move(rest), largest);
     for (std::size_t i = 0; i < others.size(); ++i)
-        onto.objects[before + i].id = others[i];
+        onto.objects[before + i].id = others[i],
+                              onto.objects[before + i].group = whole.find(others[i])->group;
+    gatherGroups(onto);
 }
 
 bool isAnotherSize(double grown) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/import/import_scene.h"
+#include "core/scene/groups.h"
 #include "core/scene/object_bounds.h"
 #include "core/scene/placing.h"
 #include "core/scene/standing.h"
@@ -127,6 +128,7 @@ void Document::duplicate(const std::vector<ObjectId>& objects) {
     Scene moved = scene_, next = scene_;
     arrange(moved, along, {.move = wayBeside(scene_, boundsOf(scene_, along.objects))});
     const std::vector<ObjectId> copies = addCopies(next, moved, along, lastId_);
+    gatherGroups(next);
     std::vector<ObjectId> chosen;
     for (std::size_t i = 0; i < copies.size(); ++i)
         if (std::ranges::find(objects, along.objects[i]) != objects.end()) chosen.push_back(copies[i]);

@@ -2,40 +2,28 @@
 
 #include <algorithm>
 
-#include <QApplication>
 #include <QContextMenuEvent>
 #include <QDockWidget>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
-#include <QMouseEvent>
-#include <QPainter>
 #include <QScopedValueRollback>
 #include <QShortcut>
 #include <QVBoxLayout>
 
-#include "core/scene/order.h"
+#include "core/scene/groups.h"
 #include "ui/base/style.h"
+#include "ui/panels/outliner_rows.h"
 #include "ui/widgets/swatch.h"
 
 namespace tactum {
 
 namespace {
 
-constexpr int kName = 0, kEye = 1, kLock = 2;
-constexpr int kObjectRole = Qt::UserRole, kSurfaceRole = Qt::UserRole + 1;
-
-SurfaceRef refOf(const QTreeWidgetItem* item) {
-    return {item->data(kName, kObjectRole).toUInt(), item->data(kName, kSurfaceRole).toUInt()};
-}
-
-bool isObject(const QTreeWidgetItem* item) {
-    return !item->parent();
-}
-
-QTreeWidgetItem* makeItem(SurfaceRef ref) {
+QTreeWidgetItem* makeItem(SurfaceRef ref, Kind kind) {
     auto* item = new QTreeWidgetItem;
+    item->setData(kName, kKindRole, kind);
     item->setData(kName, kObjectRole, ref.object);
     item->setData(kName, kSurfaceRole, ref.surface);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
@@ -67,6 +55,16 @@ Outliner::Outliner(Document& document, QWidget* parent)
     connect(this, &QTreeWidget::itemSelectionChanged, this, &Outliner::selectChosen);
     connect(this, &QTreeWidget::itemChanged, this, &Outliner::rename);
     connect(this, &QTreeWidget::itemClicked, this, &Outliner::toggle);
+    connect(this, &QTreeWidget::itemCollapsed, this, [this](const QTreeWidgetItem* item) {
+        if (!filling_ && kindOf(item) == kGroup) folded_.insert(groupOf(item));
+    });
+    connect(this, &QTreeWidget::itemExpanded, this, [this](const QTreeWidgetItem* item) {
+        if (!filling_ && kindOf(item) == kGroup) folded_.erase(groupOf(item));
+    });
+    connect(&document_, &Document::opened, this, [this] {
+        folded_.clear();
+        rebuild();
+    });
     rebuild();
 }
 
@@ -88,26 +86,64 @@ void Outliner::rebuild() {
     const QScopedValueRollback quiet(filling_, true);
     const auto dimmed = [](const char* name) { return icon(QLatin1String(name), theme().textDimmed); };
     icons_ = {{dimmed("object"), dimmed("body-keys"), dimmed("body-loose"), dimmed("body-joint")},
+              dimmed("group"),
               icon(QStringLiteral("eye"), theme().text),
               icon(QStringLiteral("eye-off"), theme().textDimmed),
               icon(QStringLiteral("lock"), theme().text),
               icon(QStringLiteral("lock-open"), theme().border)};
     clear();
     listed_.clear();
+    groups_.clear();
     QList<QTreeWidgetItem*> items;
     for (const SceneObject& object : document_.scene().objects) {
-        items << addObject(object);
-        listed_.push_back({object.id, rowsOf(object)});
+        QTreeWidgetItem* item = addObject(object);
+        listed_.push_back({object.id, object.group, rowsOf(object), item});
+        if (object.group.empty())
+            items << item;
+        else
+            groupItem(object.group, items)->addChild(item);
     }
     addTopLevelItems(items);
+    refreshGroups();
     expandAll();
+    foldAgain();
     showFound();
     showSelection();
 }
 
+QTreeWidgetItem* Outliner::groupItem(const std::string& name, QList<QTreeWidgetItem*>& items) {
+    const auto [known, isNew] = groups_.try_emplace(name);
+    if (!isNew) return known->second;
+    known->second = makeItem({}, kGroup);
+    known->second->setData(kName, kGroupRole, QString::fromStdString(name));
+    return items.emplace_back(known->second);
+}
+
+/// But for what is searched for.
+void Outliner::foldAgain() {
+    for (const auto& [name, item] : groups_)
+        if (const bool open = !words_.isEmpty() || !folded_.contains(name); item->isExpanded() != open)
+            item->setExpanded(open);
+}
+
+/// A group is visible as long as anything of it is.
+void Outliner::refreshGroups() {
+    std::map<std::string, bool> visible;
+    for (const Listed& each : listed_)
+        if (!each.group.empty()) visible[each.group] |= each.rows.front().visible;
+    for (const auto& [name, item] : groups_) {
+        item->setText(kName, QString::fromStdString(name));
+        item->setIcon(kName, icons_.group);
+        item->setToolTip(kName, tr("a group"));
+        item->setData(kName, Qt::AccessibleDescriptionRole, tr("a group"));
+        showEye(*item, visible[name], visible[name]);
+    }
+}
+
 bool Outliner::hasSameRows(const Scene& scene) const {
     return std::ranges::equal(scene.objects, listed_, [](const SceneObject& object, const Listed& listed) {
-        return object.id == listed.id && object.surfaces.size() + 1 == listed.rows.size();
+        return object.id == listed.id && object.group == listed.group &&
+               object.surfaces.size() + 1 == listed.rows.size();
     });
 }
 
@@ -117,12 +153,13 @@ void Outliner::refresh() {
     const QScopedValueRollback quiet(filling_, true);
     for (std::size_t i = 0; i < objects.size(); ++i) {
         std::vector<Row> rows = rowsOf(objects[i]);
-        QTreeWidgetItem* object = topLevelItem(int(i));
+        QTreeWidgetItem* object = listed_[i].item;
         for (std::size_t row = 0; row < rows.size(); ++row)
             if (rows[row] != listed_[i].rows[row])
                 fill(row == 0 ? *object : *object->child(int(row) - 1), rows[row]);
         listed_[i].rows = std::move(rows);
     }
+    refreshGroups();
     showFound();
     showSelection();
 }
@@ -134,34 +171,37 @@ void Outliner::search(const QString& words) {
                              : tr("Nothing has \u201c%1\u201d in its name.").arg(words_.left(20)));
 }
 
-// A surface is shown for its own name and for that of its object.
+// A row is shown for its own name, for one above it, and for what is found below it.
 void Outliner::showFound() {
-    const auto show = [](QTreeWidgetItem& item, bool shown) {
-        if (item.isHidden() == shown) item.setHidden(!shown); // each change lays all rows out anew
-    };
-    const auto has = [this](const QTreeWidgetItem& item) {
-        return item.text(kName).contains(words_, Qt::CaseInsensitive);
-    };
-    for (int i = 0; i < topLevelItemCount(); ++i) {
-        QTreeWidgetItem& object = *topLevelItem(i);
-        const bool whole = has(object);
-        bool any = whole;
-        for (int child = 0; child < object.childCount(); ++child) {
-            const bool found = whole || has(*object.child(child));
-            show(*object.child(child), found);
-            any = any || found;
-        }
-        show(object, any);
-    }
+    const QScopedValueRollback quiet(filling_, true);
+    foldAgain();
+    for (int i = 0; i < topLevelItemCount(); ++i)
+        showFoundIn(*topLevelItem(i), false);
+}
+
+/// `above`: whether a row above it has the words. Whether it is shown.
+bool Outliner::showFoundIn(QTreeWidgetItem& row, bool above) {
+    const bool whole = above || row.text(kName).contains(words_, Qt::CaseInsensitive);
+    bool any = whole;
+    for (int child = 0; child < row.childCount(); ++child)
+        any = showFoundIn(*row.child(child), whole) || any;
+    if (row.isHidden() == any) row.setHidden(!any); // each change lays all rows out anew
+    return any;
 }
 
 void Outliner::selectFound() {
     SurfaceRefs found;
-    for (int i = 0; i < topLevelItemCount(); ++i)
-        for (int child = 0; child < topLevelItem(i)->childCount(); ++child)
-            if (const QTreeWidgetItem* item = topLevelItem(i)->child(child); !item->isHidden())
+    for (const Listed& each : listed_)
+        for (int child = 0; child < each.item->childCount(); ++child)
+            if (const QTreeWidgetItem* item = each.item->child(child); !item->isHidden())
                 found.push_back(refOf(item));
     document_.select(found);
+}
+
+/// In the order of the list.
+std::vector<ObjectId> Outliner::objectsOf(const QTreeWidgetItem* row) const {
+    return kindOf(row) == kGroup ? objectsOfGroup(document_.scene(), groupOf(row))
+                                 : std::vector{refOf(row).object};
 }
 
 void Outliner::renameSelected() {
@@ -177,6 +217,10 @@ void Outliner::renameSelected() {
     };
     const bool whole = hasFocus() ? currentItem() == object : allSelected();
     QTreeWidgetItem* row = whole ? item->parent() : item;
+    const auto chosen = document_.selectedObjects();
+    const auto group = groups_.find(document_.scene().find(active->object)->group);
+    const bool isGroup = group != groups_.end() && chosen.size() > 1 && chosen == objectsOf(group->second);
+    if (isGroup && (!hasFocus() || !currentItem() || kindOf(currentItem()) == kGroup)) row = group->second;
     for (QWidget* around = parentWidget(); around; around = around->parentWidget())
         if (auto* dock = qobject_cast<QDockWidget*>(around)) {
             dock->show();
@@ -189,68 +233,6 @@ void Outliner::renameSelected() {
 
 void Outliner::contextMenuEvent(QContextMenuEvent* event) {
     emit menuAsked(event->globalPos());
-}
-
-// What a press selects is known after it, and what it takes along before it.
-void Outliner::mousePressEvent(QMouseEvent* event) {
-    const std::vector<ObjectId> selected = document_.selectedObjects();
-    pressedAt_ = event->position().toPoint();
-    const QTreeWidgetItem* item = itemAt(pressedAt_);
-    const bool grabs = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier && item &&
-                       isObject(item) && columnAt(pressedAt_.x()) == kName;
-    const ObjectId object = grabs ? refOf(item).object : 0;
-    HintedTree::mousePressEvent(event);
-    held_.clear();
-    if (!grabs) return;
-    held_ = std::ranges::find(selected, object) != selected.end() ? selected : std::vector{object};
-}
-
-void Outliner::mouseMoveEvent(QMouseEvent* event) {
-    if (held_.empty() || !(event->buttons() & Qt::LeftButton)) return HintedTree::mouseMoveEvent(event);
-    const QPoint at = event->position().toPoint();
-    if (!gap_ && (at - pressedAt_).manhattanLength() < QApplication::startDragDistance()) return;
-    gap_ = gapAt(at.y());
-    setCursor(Qt::ClosedHandCursor);
-    viewport()->update();
-}
-
-void Outliner::mouseReleaseEvent(QMouseEvent* event) {
-    const auto held = std::exchange(held_, {});
-    const auto gap = std::exchange(gap_, std::nullopt);
-    HintedTree::mouseReleaseEvent(event);
-    unsetCursor();
-    viewport()->update();
-    if (!held.empty() && gap) bring(held, *gap);
-}
-
-/// The nearest to a height of the view.
-int Outliner::gapAt(int y) const {
-    for (int gap = 0; gap < topLevelItemCount(); ++gap)
-        if (y < (topOf(gap) + topOf(gap + 1)) / 2) return gap;
-    return topLevelItemCount();
-}
-
-/// Below the last object with its surfaces there is one more.
-int Outliner::topOf(int gap) const {
-    if (gap < topLevelItemCount()) return visualItemRect(topLevelItem(gap)).top();
-    const QTreeWidgetItem* last = topLevelItem(topLevelItemCount() - 1);
-    if (last->isExpanded() && last->childCount() > 0) last = last->child(last->childCount() - 1);
-    return visualItemRect(last).bottom();
-}
-
-void Outliner::bring(const std::vector<ObjectId>& objects, int gap) {
-    const auto& all = document_.scene().objects;
-    const ObjectId before = std::size_t(gap) < all.size() ? all[std::size_t(gap)].id : 0;
-    document_.editScene(tr("Another order"), SceneChange::What::Objects,
-                        [&](Scene& scene) { reorder(scene, objects, before); });
-    document_.selectObjects(objects);
-}
-
-void Outliner::paintEvent(QPaintEvent* event) {
-    HintedTree::paintEvent(event);
-    if (!gap_ || topLevelItemCount() == 0) return;
-    QPainter painter(viewport());
-    painter.fillRect(QRect(0, topOf(*gap_) - 1, viewport()->width(), 2), theme().accent);
 }
 
 std::vector<Outliner::Row> Outliner::rowsOf(const SceneObject& object) const {
@@ -273,10 +255,10 @@ void Outliner::fill(QTreeWidgetItem& item, const Row& row) {
 
 QTreeWidgetItem* Outliner::addObject(const SceneObject& object) {
     const std::vector<Row> rows = rowsOf(object);
-    auto* item = makeItem({object.id, 0});
+    auto* item = makeItem({object.id, 0}, kObject);
     fill(*item, rows.front());
     for (Index i = 0; i < object.surfaces.size(); ++i) {
-        auto* child = makeItem({object.id, i});
+        auto* child = makeItem({object.id, i}, kSurface);
         item->addChild(child);
         fill(*child, rows[i + 1]);
     }
@@ -287,53 +269,7 @@ QTreeWidgetItem* Outliner::addObject(const SceneObject& object) {
 QTreeWidgetItem* Outliner::itemOf(SurfaceRef ref) const {
     const auto at = std::ranges::find(listed_, ref.object, &Listed::id);
     if (at == listed_.end()) return nullptr;
-    return topLevelItem(int(at - listed_.begin()))->child(int(ref.surface));
-}
-
-// In one step, for each is told to all who listen. An object is shown as selected when all its surfaces are.
-void Outliner::showSelection() {
-    if (choosing_) return;
-    const QScopedValueRollback quiet(filling_, true);
-    const SurfaceSet selected(document_.selected());
-    const auto active = document_.selection();
-    QItemSelection rows;
-    for (int i = 0; i < topLevelItemCount(); ++i) {
-        QTreeWidgetItem* object = topLevelItem(i);
-        for (int child = 0; child < object->childCount(); ++child) {
-            QTreeWidgetItem* item = object->child(child);
-            if (!selected.has(refOf(item))) continue;
-            const QModelIndex from = indexFromItem(item, kName);
-            rows.append(QItemSelectionRange(from, from.siblingAtColumn(kLock)));
-        }
-    }
-    QTreeWidgetItem* current = active ? itemOf(*active) : nullptr;
-    setCurrentItem(current, kName, QItemSelectionModel::NoUpdate);
-    selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
-}
-
-/// The surface of the current row is the active one; an object stands for all of its surfaces.
-void Outliner::selectChosen() {
-    if (filling_) return;
-    SurfaceRefs chosen;
-    SurfaceSet seen;
-    const auto add = [&](const QTreeWidgetItem* item) {
-        if (seen.add(refOf(item))) chosen.push_back(refOf(item));
-    };
-    const auto addRow = [&](const QTreeWidgetItem* item) {
-        if (!isObject(item)) return add(item);
-        for (int i = item->childCount(); i-- > 0;)
-            add(item->child(i));
-    };
-    for (const QTreeWidgetItem* item : selectedItems())
-        if (item != currentItem()) addRow(item);
-    if (currentItem() && currentItem()->isSelected()) {
-        const QTreeWidgetItem* current = currentItem();
-        std::erase_if(chosen, [&](SurfaceRef ref) { return !isObject(current) && ref == refOf(current); });
-        seen = SurfaceSet(chosen);
-        addRow(current);
-    }
-    const QScopedValueRollback quiet(choosing_, true);
-    document_.select(chosen);
+    return at->item->child(int(ref.surface));
 }
 
 void Outliner::showMoves(QTreeWidgetItem& item, Moves moves) {
@@ -364,10 +300,13 @@ void Outliner::rename(QTreeWidgetItem* item) {
     const SurfaceRef ref = refOf(item);
     const QString name = item->text(kName).trimmed();
     const bool object = isObject(item);
+    const std::string group = groupOf(item);
     // Later: the edit rebuilds the tree, and with it the item that is speaking now.
-    auto apply = [this, ref, name, object] {
+    auto apply = [this, ref, name, object, group] {
         if (name.isEmpty())
             rebuild(); // takes the typed text back
+        else if (!group.empty())
+            renameGroup(group, name);
         else if (object)
             document_.renameObject(ref.object, name);
         else
@@ -376,12 +315,31 @@ void Outliner::rename(QTreeWidgetItem* item) {
     QMetaObject::invokeMethod(this, apply, Qt::QueuedConnection);
 }
 
+/// It stays folded as it was, and chosen.
+void Outliner::renameGroup(const std::string& group, const QString& name) {
+    const std::vector<ObjectId> objects = objectsOfGroup(document_.scene(), group);
+    if (objects.empty()) return;
+    const bool folded = folded_.contains(group);
+    if (folded) folded_.insert(freeGroupName(document_.scene(), name.toStdString()));
+    document_.renameGroup(group, name);
+    rebuild(); // another name may be there already, and a free one is taken
+    if (const auto now = groups_.find(document_.scene().find(objects.front())->group); now != groups_.end())
+        setCurrentItem(now->second, kName, QItemSelectionModel::NoUpdate);
+}
+
 // Later, for the edit rebuilds the tree.
 void Outliner::toggle(QTreeWidgetItem* item, int column) {
     const SurfaceRef ref = refOf(item);
     const bool object = isObject(item);
-    if (column != kEye && (column != kLock || object)) return;
-    const auto apply = [this, ref, object, column] {
+    const std::string group = groupOf(item);
+    if (column != kEye && (column != kLock || kindOf(item) != kSurface)) return;
+    const auto apply = [this, ref, object, column, group] {
+        if (!group.empty()) {
+            const bool visible = std::ranges::any_of(document_.scene().objects, [&](const SceneObject& each) {
+                return each.group == group && each.visible;
+            });
+            return document_.setGroupVisible(group, !visible);
+        }
         const Surface* surface = document_.surface(ref);
         const SceneObject* of = document_.scene().find(ref.object);
         if (!of || (!object && !surface)) return;

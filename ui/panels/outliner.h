@@ -1,8 +1,10 @@
-// The tree of objects and their surfaces.
+// The tree of groups, objects and their surfaces.
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,9 +16,10 @@
 
 namespace tactum {
 
-/// Follows the document and edits it: the eye shows and hides an object or a surface, the lock keeps a
-/// surface from edits, F2 or a double click renames, a drag of an object's row brings it (with the others
-/// that are selected) elsewhere in the list, and the selection goes both ways.
+/// Follows the document and edits it: the eye shows and hides a group, an object or a surface, the lock keeps
+/// a surface from edits, F2 or a double click renames, a drag of the row of an object or a group brings it
+/// (with the others that are selected) elsewhere in the list, into a group or out of one, and the selection
+/// goes both ways. What is folded stays so while the document is open.
 class Outliner : public HintedTree {
     Q_OBJECT
 public:
@@ -48,6 +51,9 @@ private:
     /// Brings the rows to what the document says: only those that show something else now are changed.
     void refresh();
     QTreeWidgetItem* addObject(const SceneObject& object);
+    QTreeWidgetItem* groupItem(const std::string& name, QList<QTreeWidgetItem*>& items);
+    void foldAgain();
+    void refreshGroups();
     /// What a row shows.
     struct Row {
         std::string name;
@@ -68,29 +74,44 @@ private:
     void showEye(QTreeWidgetItem& item, bool visible, bool shown);
     void showLock(QTreeWidgetItem& item, bool locked);
     void rename(QTreeWidgetItem* item);
+    void renameGroup(const std::string& group, const QString& name);
     void toggle(QTreeWidgetItem* item, int column);
-    int gapAt(int y) const;
-    int topOf(int gap) const;
-    void bring(const std::vector<ObjectId>& objects, int gap);
+    /// Where rows that are dragged would come.
+    struct Gap {
+        ObjectId before = 0;                   ///< 0: behind all
+        std::string group;                     ///< that they would be in; empty: none
+        int y = 0;                             ///< of the view
+        const QTreeWidgetItem* onto = nullptr; ///< a group's row; null: between rows
+    };
+    std::vector<Gap> gaps() const;
+    std::optional<Gap> gapAt(QPoint at) const;
+    void bring(const std::vector<ObjectId>& objects, const std::set<std::string>& groups, const Gap& gap);
+    bool showFoundIn(QTreeWidgetItem& row, bool above);
+    std::vector<ObjectId> objectsOf(const QTreeWidgetItem* row) const;
 
     struct Icons {
         std::array<QIcon, 4> object; ///< by Moves
-        QIcon eye, eyeOff, lock, lockOpen;
+        QIcon group, eye, eyeOff, lock, lockOpen;
     };
 
     Document& document_;
     Icons icons_; ///< in the colours of the theme
     struct Listed {
         ObjectId id = 0;
+        std::string group;
         std::vector<Row> rows; ///< of the object, then of its surfaces
+        QTreeWidgetItem* item = nullptr;
     };
     std::vector<Listed> listed_; ///< what the tree shows, in its order
-    QString words_;              ///< that are searched for
-    bool filling_ = false;       ///< our own changes of the tree are no edits
-    bool choosing_ = false;      ///< the rows show already what is being selected
-    std::vector<ObjectId> held_; ///< by the mouse
+    std::map<std::string, QTreeWidgetItem*> groups_;
+    std::set<std::string> folded_;     ///< of the groups
+    QString words_;                    ///< that are searched for
+    bool filling_ = false;             ///< our own changes of the tree are no edits
+    bool choosing_ = false;            ///< the rows show already what is being selected
+    std::vector<ObjectId> held_;       ///< by the mouse
+    std::set<std::string> heldGroups_; ///< those that are held as a whole, by their rows
     QPoint pressedAt_;
-    std::optional<int> gap_; ///< between objects, from 0, where they would come
+    std::optional<Gap> gap_;
 };
 
 /// The list below a field that searches in it.

@@ -1,6 +1,7 @@
 // The 3-D view: the model, the finger and the proxy on it, and the mouse that leads the finger.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -101,6 +102,8 @@ public:
     /// it does not.
     void setSelectBrush(std::optional<double> radius);
     void setTool(ViewTool tool);
+    /// Asked of a double click on an object with any tool but touch, before it is taken for a second click.
+    void setDoubleClick(std::function<bool(const PickHit&)> taken) { doubleClick_ = std::move(taken); }
     /// Shown at the pointer while the tool is Paint.
     void setBrush(const BrushRing& ring);
     /// Lays what is painted over the model.
@@ -299,6 +302,7 @@ private:
     void setCasters(const Scene& scene);
 
     struct Impl;
+    std::function<bool(const PickHit&)> doubleClick_ = [](const PickHit&) { return false; };
     std::unique_ptr<Impl> impl_;
 };
 

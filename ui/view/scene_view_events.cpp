@@ -301,6 +301,9 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
     const QPointF cursor = event->position();
     const bool onFinger = impl_->tool == ViewTool::Touch &&
                           impl_->takesFinger(cursor, impl_->pick(cursor, ScenePicker::Patience::Wait));
+    if (event->button() == Qt::LeftButton && impl_->tool != ViewTool::Touch)
+        if (const auto hit = impl_->pick(cursor, ScenePicker::Patience::Wait); hit && doubleClick_(*hit))
+            return;
     if (event->button() != Qt::LeftButton || !onFinger) return mousePressEvent(event);
     impl_->cursorAt = cursor;
     impl_->setGrip(Grip::Follow, cursor);

@@ -23,6 +23,7 @@
 #include "ui/controllers/felt_controller.h"
 #include "ui/controllers/folds.h"
 #include "ui/controllers/geometry_controller.h"
+#include "ui/controllers/group_controller.h"
 #include "ui/controllers/health_controller.h"
 #include "ui/controllers/import_controller.h"
 #include "ui/controllers/layer_controller.h"
@@ -145,6 +146,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     new MeasureController(bench_);
     connect(stage_, &Stage::otherShown, view_, &SceneView::clearMeasure);
     cameras_ = new CamerasMenu(bench_);
+    new GroupController(bench_);
     connectSelecting();
     connectArranging();
     new SurfaceController(bench_);

@@ -61,8 +61,7 @@ void MainWindow::connectArranging() {
         connect(&actions_[id], &QAction::triggered, this, [this, move = move] {
             const std::vector<ObjectId> chosen = document_.selectedObjects();
             if (chosen.empty()) return notice_->showNote(arranging_->whyNot());
-            document_.editScene(tr("Another order"), SceneChange::What::Objects,
-                                [&](Scene& scene) { move(scene, chosen); });
+            document_.editOrder(tr("Another order"), [&](Scene& scene) { move(scene, chosen); });
         });
     connect(&actions_["arrange"], &QAction::toggled, this, [this](bool on) {
         arranging_->setActive(on && !playback_->active());

@@ -208,8 +208,9 @@ void MainWindow::showObjectMenu(const QPoint& at, QWidget& over) {
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const bool chosen = document_.selection().has_value();
     const std::initializer_list<const char*> ofObjects = {
-        "rename", "duplicate", "remove",    "drop",       "",          "hide", "isolate",    "show-all",
-        "lock",   "",          "copy-feel", "paste-feel", "same-feel", "",     "select-like"};
+        "rename",       "duplicate",  "remove",    "drop",    "",           "group", "ungroup",
+        "select-group", "",           "hide",      "isolate", "show-all",   "lock",  "",
+        "copy-feel",    "paste-feel", "same-feel", "",        "select-like"};
     const std::initializer_list<const char*> ofNothing = {
         "add", "add-box", "add-sphere", "add-cylinder", "add-plate", "", "show-all", "select-all", "fit"};
     for (const char* id : chosen ? ofObjects : ofNothing)
