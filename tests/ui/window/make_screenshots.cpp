@@ -32,6 +32,7 @@
 #include "ui/document/preset_store.h"
 #include "ui/document/recent_files.h"
 #include "ui/document/recent_pictures.h"
+#include "ui/panels/outliner.h"
 #include "ui/panels/sample_gallery.h"
 #include "ui/showing/recording_saver.h"
 #include "ui/showing/video_recorder.h"
@@ -354,6 +355,12 @@ void takeMany(const QDir& folder, const QString& scenes, QSize size) {
     program.command("view-isometric").trigger();
     program.frames(30);
     save(program, folder, QStringLiteral("many-models.png"));
+    const auto& objects = program.document.scene().objects;
+    program.document.selectObjects({objects[1].id, objects[2].id});
+    program.command("group").trigger();
+    program.window->findChild<Outliner*>()->scrollToTop();
+    program.frames(30);
+    save(program, folder, QStringLiteral("groups.png"));
 }
 
 /// Every scene in which bodies move, after a second and a half, and then with its first joint and as what its
