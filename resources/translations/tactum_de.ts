@@ -7520,8 +7520,8 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>oder nach so vielen Änderungen</translation>
         </message>
         <message>
-            <source>or drop files on this window: OBJ, PLY, STL, OFF, glTF, X3D, FBX, DAE, 3DS</source>
-            <translation>oder Dateien auf diesem Fenster ablegen: OBJ, PLY, STL, OFF, glTF, X3D, FBX, DAE, 3DS</translation>
+            <source>or drop files on this window: OBJ, PLY, STL, OFF, glTF, X3D, FBX, DAE, 3DS, 3MF</source>
+            <translation>oder Dateien auf diesem Fenster ablegen: OBJ, PLY, STL, OFF, glTF, X3D, FBX, DAE, 3DS, 3MF</translation>
         </message>
         <message>
             <source>orbit; with Shift pan</source>

@@ -102,7 +102,7 @@ void StartPage::addButtons() {
     row->addStretch();
     column_->addLayout(row);
     column_->addWidget(
-        line(tr("or drop files on this window: OBJ, PLY, STL, OFF, glTF, X3D, FBX, DAE, 3DS"), 0, true));
+        line(tr("or drop files on this window: OBJ, PLY, STL, OFF, glTF, X3D, FBX, DAE, 3DS, 3MF"), 0, true));
 }
 
 void StartPage::addSamples(const QStringList& samples) {

@@ -137,7 +137,7 @@ Vec3 arrowTip(const TouchState& state, const ViewCamera& camera) {
 struct TouchOverlay::Impl {
     Impl(vtkRenderer& solid, vtkRenderer& ghost)
         : spring(solid, ghost, *tube), proxy(solid, ghost, *ball()), finger(solid, ghost, *ball()),
-          halo(solid, ghost, *disc(0.84)), arrow(solid, ghost), pen(solid, ghost) {
+          halo(solid, ghost, *disc(0.84)), arrow(solid, ghost), inSolid(solid), inGhost(ghost) {
         for (int i = 0; i < kMaxModelPlanes; ++i)
             contacts.push_back(std::make_unique<ContactMark>(solid, ghost));
         tube->SetInputData(line);
@@ -151,14 +151,16 @@ struct TouchOverlay::Impl {
     void placeContact(ContactMark& mark, const ContactReport& contact, double pixel, double proxyRadius);
 
     const Theme* theme = &kDarkTheme;
-    QColor force; ///< the proxy's
+    QColor force, fingerColour; ///< of the proxy, and of what goes with the finger
     double scale = 1;
-    bool visible = true, normals = true, planes = true, stylus = false;
+    bool visible = true, normals = true, planes = true;
     vtkNew<vtkPolyData> line;
     vtkNew<vtkTubeFilter> tube;
     std::vector<std::unique_ptr<ContactMark>> contacts;
     TouchShape spring, proxy, finger, halo;
-    TouchArrow arrow, pen;
+    TouchArrow arrow;
+    vtkRenderer &inSolid, &inGhost;
+    std::unique_ptr<TouchArrow> pen; ///< null: it is not shown
 };
 
 TouchOverlay::TouchOverlay(vtkRenderer& solid, vtkRenderer& ghost)
@@ -173,8 +175,9 @@ void TouchOverlay::setTheme(const Theme& theme, std::size_t hand) {
     const HandColours colours = handColours(theme, hand);
     impl_->theme = &theme;
     impl_->force = colours.proxy;
+    impl_->fingerColour = colours.finger;
     impl_->finger.setColour(colours.finger);
-    impl_->pen.setColour(colours.finger);
+    if (impl_->pen) impl_->pen->setColour(colours.finger);
     impl_->halo.setColour(colours.finger, 0.55);
     impl_->proxy.setColour(colours.proxy);
     impl_->spring.setColour(theme.dark ? QColor(0xd6, 0xda, 0xe0) : QColor(0x5a, 0x62, 0x6d));
@@ -184,7 +187,7 @@ void TouchOverlay::setVisible(bool visible) {
     impl_->visible = visible;
     for (TouchShape* shape : {&impl_->spring, &impl_->proxy, &impl_->finger, &impl_->halo})
         shape->setVisible(visible);
-    impl_->pen.setVisible(visible && impl_->stylus);
+    if (impl_->pen) impl_->pen->setVisible(visible);
     if (visible) return;
     impl_->arrow.setVisible(false);
     for (auto& mark : impl_->contacts)
@@ -197,8 +200,11 @@ void TouchOverlay::setMarks(bool normals, bool planes) {
 }
 
 void TouchOverlay::setStylus(bool shown) {
-    impl_->stylus = shown;
-    impl_->pen.setVisible(impl_->visible && shown);
+    if (shown == (impl_->pen != nullptr)) return;
+    impl_->pen = shown ? std::make_unique<TouchArrow>(impl_->inSolid, impl_->inGhost) : nullptr;
+    if (!shown) return;
+    impl_->pen->setColour(impl_->fingerColour);
+    impl_->pen->setVisible(impl_->visible);
 }
 
 void TouchOverlay::setScale(double scale) {
@@ -216,7 +222,7 @@ void TouchOverlay::update(const TouchState& state, const ViewCamera& camera, dou
     impl_->halo.place(state.finger, -camera.forward(), std::max(kHalo * atFinger, 1.8 * fingerRadius), 1);
     impl_->placeSpring(state, pixel);
     impl_->placeArrow(state, camera, pixel);
-    if (impl_->stylus) impl_->placePen(state, camera, pixel);
+    if (impl_->pen) impl_->placePen(state, camera, pixel);
     for (int i = 0; i < kMaxModelPlanes; ++i) {
         const bool there = i < state.contacts;
         impl_->contacts[i]->setVisible(there && impl_->normals, there && impl_->planes);
@@ -236,7 +242,7 @@ void TouchOverlay::Impl::placeSpring(const TouchState& state, double pixel) {
 void TouchOverlay::Impl::placePen(const TouchState& state, const ViewCamera& camera, double pixel) {
     const Vec3 along = kPenRight * camera.right() + kPenUp * camera.up() - kPenNear * camera.forward();
     const Vec3 end = state.proxy + kPenLength * pixel * along.normalized();
-    pen.place(end, state.proxy, kPen * pixel, kPen * pixel, kPenPoint * pixel);
+    pen->place(end, state.proxy, kPen * pixel, kPen * pixel, kPenPoint * pixel);
 }
 
 void TouchOverlay::Impl::placeArrow(const TouchState& state, const ViewCamera& camera, double pixel) {
