@@ -124,6 +124,7 @@ private slots:
     /// Under the mouse or the keys, one at a time; and not for a person whose desktop says that nothing is to
     /// move.
     void aSampleMovesUnderTheMouse() {
+        StillStyle restful; // which the window needs to its end
         TouchedWindow program({1200, 800}, samplesIn(QStringLiteral(TACTUM_RESOURCES "/scenes")));
         const auto card = [&](const char* name) {
             return program.window->findChild<PictureCard*>(QLatin1String(name));
@@ -145,7 +146,6 @@ private slots:
         QTest::mouseMove(&coin, coin.rect().center());
         QTRY_VERIFY_WITH_TIMEOUT(coin.moves(), kPatience);
         card("sample-teapot")->clearFocus();
-        StillStyle restful;
         PictureCard& teapot = *card("sample-teapot");
         teapot.setStyle(&restful);
         teapot.setFocus();
