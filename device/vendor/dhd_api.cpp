@@ -56,6 +56,16 @@ void findMoving(const SharedLibrary& opened, Api& api) {
     if (!all) api.openIdToMove = nullptr;
 }
 
+/// A library without them still gives every force that anybody feels.
+void findHandle(const SharedLibrary& opened, Api& api) {
+    const bool wrist = opened.find("dhdHasWrist", api.hasWrist) &&
+                       opened.find("dhdGetOrientationFrame", api.getOrientationFrame);
+    const bool gripper =
+        opened.find("dhdHasGripper", api.hasGripper) && opened.find("dhdGetGripperGap", api.getGripperGap);
+    if (!wrist) api.hasWrist = nullptr;
+    if (!gripper) api.hasGripper = nullptr;
+}
+
 } // namespace
 
 const LibraryWanted& library() {
@@ -81,10 +91,6 @@ Result<Api> load() {
     opened->need("dhdGetPosition", api.getPosition);
     opened->need("dhdGetLinearVelocity", api.getLinearVelocity);
     opened->need("dhdSetForceAndTorqueAndGripperForce", api.setForceAndTorqueAndGripperForce);
-    opened->need("dhdGetOrientationFrame", api.getOrientationFrame);
-    opened->need("dhdHasWrist", api.hasWrist);
-    opened->need("dhdHasGripper", api.hasGripper);
-    opened->need("dhdGetGripperGap", api.getGripperGap);
     opened->need("dhdGetButtonMask", api.getButtonMask);
     opened->need("dhdErrorGetLast", api.errorGetLast);
     if (Result<void> complete = opened->complete(); !complete) return tl::unexpected(complete.error());
@@ -92,6 +98,7 @@ Result<Api> load() {
     opened->find("dhdEnableExpertMode", api.enableExpertMode);
     opened->find("dhdDisableExpertMode", api.disableExpertMode);
     findMoving(*opened, api);
+    findHandle(*opened, api);
     return api;
 }
 

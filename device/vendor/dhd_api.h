@@ -64,20 +64,22 @@ struct Api {
     int (*enableForce)(unsigned char on, char id);
     int (*getPosition)(double* x, double* y, double* z, char id);
     int (*getLinearVelocity)(double* x, double* y, double* z, char id);
-    /// From the handle's axes to theirs, by rows; the identity of one that does not turn.
-    int (*getOrientationFrame)(double matrix[3][3], char id);
     int (*setForceAndTorqueAndGripperForce)(double fx, double fy, double fz, double tx, double ty, double tz,
                                             double grip, char id);
     unsigned int (*getButtonMask)(char id);
     int (*errorGetLast)();
-    bool (*hasWrist)(char id);
-    bool (*hasGripper)(char id);
-    int (*getGripperGap)(double* opening, char id); ///< m
     /// Null before 3.3.2: after so many times 125 us without a command the device takes the force away, and
     /// does not give it back. Of the expert section: refused outside of the expert mode.
     int (*setWatchdog)(unsigned char periods, char id);
     int (*enableExpertMode)();
     int (*disableExpertMode)();
+
+    /// Of a handle that turns, null where the library cannot: from its axes to theirs, by rows.
+    bool (*hasWrist)(char id);
+    int (*getOrientationFrame)(double matrix[3][3], char id);
+    /// Of one that grips, likewise; m.
+    bool (*hasGripper)(char id);
+    int (*getGripperGap)(double* opening, char id);
 
     /// All or none, only in libdrd: the robotics library moves the device to its calibration by itself. It
     /// knows only devices that it opened; `keepForce`: what the device is left in when its regulation ends.

@@ -76,7 +76,7 @@ private:
     std::string armWatchdog();
     bool send(const Vec3& force_D, const HandleCommand& handle_D = {}) noexcept;
     bool read(DeviceSample& sample) noexcept;
-    bool readHandle() noexcept;
+    void readHandle() noexcept;
     void take(const DeviceInfo& figures);
     int lastError() const noexcept;
     tl::unexpected<Error> failure() const { return machineError(dhd::sentenceOf(lastError())); }
@@ -127,17 +127,18 @@ bool ForceDimension::send(const Vec3& force_D, const HandleCommand& handle_D) no
                                                  torque.z(), handle_D.pinch, char(id_)) >= dhd::kNoError;
 }
 
-/// Where the device has what turns and grips; both are measured with the same reading as the place.
-bool ForceDimension::readHandle() noexcept {
+/// What cannot be read of it takes no force away: no force rests on it.
+void ForceDimension::readHandle() noexcept {
     double rows[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     double opening = 0;
-    if (wrist_ && api_.getOrientationFrame(rows, char(id_)) < dhd::kNoError) return false;
-    if (gripper_ && api_.getGripperGap(&opening, char(id_)) < dhd::kNoError) return false;
+    const bool turns = wrist_ && api_.getOrientationFrame(rows, char(id_)) >= dhd::kNoError;
+    const bool grips = gripper_ && api_.getGripperGap(&opening, char(id_)) >= dhd::kNoError;
     Mat3 turned; // each axis of the handle, which has theirs at rest, in D
     for (int theirs = 0; theirs < 3; ++theirs)
         turned.col((theirs + 2) % 3) = inD({rows[0][theirs], rows[1][theirs], rows[2][theirs]});
-    handle_ = {Quat(turned).normalized(), opening, wrist_, gripper_};
-    return turned.allFinite() && std::isfinite(opening);
+    handle_ = {};
+    if (turns && turned.allFinite()) handle_.orientation = Quat(turned).normalized(), handle_.turns = true;
+    if (grips && std::isfinite(opening)) handle_.opening = opening, handle_.grips = true;
 }
 
 bool ForceDimension::read(DeviceSample& sample) noexcept {
@@ -149,7 +150,8 @@ bool ForceDimension::read(DeviceSample& sample) noexcept {
     sample.position = inD(position);
     sample.velocity = inD(velocity);
     sample.buttons = read ? api_.getButtonMask(id) : 0;
-    return read && readHandle();
+    if (read) readHandle();
+    return read;
 }
 
 int ForceDimension::lastError() const noexcept {
@@ -175,8 +177,8 @@ Result<void> ForceDimension::connect(Opening& opening) {
     id_ = moves_ ? api_.openIdToMove(index_) : api_.openId(index_);
     if (id_ < 0) return failure();
     ++inUse;
-    wrist_ = api_.hasWrist(char(id_));
-    gripper_ = api_.hasGripper(char(id_));
+    wrist_ = api_.hasWrist && api_.hasWrist(char(id_));
+    gripper_ = api_.hasGripper && api_.hasGripper(char(id_));
     fault_ = dhd::kNoError;
     quiet_ = kDhdQuiet;
     api_.enableForce(dhd::kOff, char(id_));

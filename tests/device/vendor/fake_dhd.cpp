@@ -106,22 +106,6 @@ int dhdGetPosition(double* x, double* y, double* z, char id) {
 int dhdGetLinearVelocity(double* x, double* y, double* z, char id) {
     return read(fake.velocity, x, y, z, id);
 }
-bool dhdHasWrist(char) {
-    return fake.wrist;
-}
-bool dhdHasGripper(char) {
-    return fake.gripper;
-}
-int dhdGetOrientationFrame(double matrix[3][3], char id) {
-    for (std::size_t i = 0; i < 9; ++i)
-        matrix[i / 3][i % 3] = fake.rows[i];
-    return answer(fake.readError, id);
-}
-int dhdGetGripperGap(double* opening, char id) {
-    if (!fake.gripper) return fail(kNotAvailable);
-    *opening = fake.gap;
-    return answer(fake.readError, id);
-}
 int dhdSetForceAndTorqueAndGripperForce(double fx, double fy, double fz, double tx, double ty, double tz,
                                         double grip, char id) {
     ++fake.commands;
@@ -150,7 +134,23 @@ unsigned dhdGetButtonMask(char) {
 int dhdErrorGetLast() {
     return lastError;
 }
-#ifndef FAKE_DHD_OLD // the library of another time: no watchdog, nothing that moves
+#ifndef FAKE_DHD_OLD // the library of another time: no watchdog, nothing that moves or turns
+bool dhdHasWrist(char) {
+    return fake.wrist;
+}
+bool dhdHasGripper(char) {
+    return fake.gripper;
+}
+int dhdGetOrientationFrame(double matrix[3][3], char id) {
+    for (std::size_t i = 0; i < 9; ++i)
+        matrix[i / 3][i % 3] = fake.rows[i];
+    return answer(fake.handleError, id);
+}
+int dhdGetGripperGap(double* opening, char id) {
+    if (!fake.gripper) return fail(kNotAvailable);
+    *opening = fake.gap;
+    return answer(fake.handleError, id);
+}
 int dhdEnableExpertMode() {
     fake.expert = true;
     return 0;

@@ -14,6 +14,7 @@ struct FakeDhd {
     std::atomic<bool> wrist{false}, gripper{false};
     std::array<std::atomic<double>, 9> rows{}; ///< of the handle's frame
     std::atomic<double> gap{0};                ///< m
+    std::atomic<int> handleError{0};           ///< neither of them can be read
     std::atomic<int> devices{1};
     std::atomic<bool> resetMode{false}; ///< waits for its calibration
     std::atomic<bool> supported{true};  ///< by the robotics library

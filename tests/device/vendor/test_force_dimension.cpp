@@ -119,6 +119,19 @@ private slots:
         }
     }
 
+    /// Nothing that is felt rests on it.
+    void aHandleThatCannotBeReadTakesNoForce() {
+        fake_->wrist = fake_->gripper = true;
+        fake_->handleError = 7; // a timeout
+        const auto device = opened();
+        const DeviceSample sample = device->exchange({{1, 2, 3}}, 1e-3);
+        QVERIFY(sample.valid);
+        COMPARE_NEAR(motors(), Vec3(3, 1, 2), 1e-12, "N");
+        QVERIFY(!device->handle().turns);
+        QVERIFY(!device->handle().grips);
+        QCOMPARE(QByteArray::fromStdString(device->trouble()), QByteArray());
+    }
+
     /// None where the profile knows no limit, and no more than that; a number that is none is nothing.
     void torqueAndPinchAreHeldToTheProfile() {
         const DeviceCommand wild{Vec3::Zero(), {Vec3(0.3, 0, 0.4), -50}};
