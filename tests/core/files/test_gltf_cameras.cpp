@@ -7,6 +7,7 @@
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/readers.h"
 #include "core/scene/placing.h"
+#include "tests/core/files/glb_json.h"
 #include "tests/core/files/json_text.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
@@ -17,6 +18,9 @@ namespace test_gltf_cameras {
 
 using namespace tactum;
 using tactum::test::difference;
+using test::jsonOf;
+using test::saved;
+using test::withJson;
 
 namespace {
 
@@ -77,20 +81,6 @@ class TestGltfCameras : public QObject {
         const auto loaded = folder_.load(bytes.starts_with("glTF") ? "scene.glb" : "scene.gltf", bytes);
         if (!loaded) throw std::runtime_error(loaded.error().text);
         return *loaded;
-    }
-    static std::string saved(const Scene& scene) {
-        const auto glb = glbOf(scene);
-        return glb ? *glb : throw std::runtime_error(glb.error().text);
-    }
-    static Json jsonOf(const std::string& glb) {
-        std::uint32_t length = 0;
-        std::memcpy(&length, glb.data() + 12, 4);
-        return Json::parse(glb.substr(20, length));
-    }
-    static std::string withJson(const std::string& glb, const Json& json) {
-        std::uint32_t length = 0;
-        std::memcpy(&length, glb.data() + 12, 4);
-        return packGlb(json, std::string_view(glb).substr(28 + length));
     }
     /// With the two keys of the animation.
     std::string theirsWhole() {

@@ -5,6 +5,7 @@
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/readers.h"
 #include "core/motion/motion_build.h"
+#include "tests/core/files/glb_json.h"
 #include "tests/core/files/json_text.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
@@ -16,6 +17,7 @@ namespace test_gltf_foreign {
 using namespace tactum;
 using tactum::test::difference;
 using tactum::test::SceneDice;
+using test::saved;
 
 namespace {
 
@@ -109,10 +111,6 @@ class TestGltfForeign : public QObject {
         const auto loaded = folder_.load("scene.glb", glb);
         if (!loaded) throw std::runtime_error(loaded.error().text);
         return *loaded;
-    }
-    static std::string saved(const Scene& scene) {
-        const auto glb = glbOf(scene);
-        return glb ? *glb : throw std::runtime_error(glb.error().text);
     }
     /// After loading and saving; a second time must not change a byte.
     Parts again(const Parts& changed) {

@@ -5,6 +5,7 @@
 #include "core/files/gltf/write_gltf.h"
 #include "core/scene/bodies.h"
 #include "core/scene/groups.h"
+#include "tests/core/files/glb_json.h"
 #include "tests/core/files/json_text.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
@@ -15,6 +16,9 @@ namespace test_gltf_groups {
 
 using namespace tactum;
 using tactum::test::difference;
+using test::jsonOf;
+using test::saved;
+using test::withJson;
 
 namespace {
 
@@ -60,20 +64,6 @@ class TestGltfGroups : public QObject {
         const auto loaded = folder_.load("scene.glb", bytes);
         if (!loaded) throw std::runtime_error(loaded.error().text);
         return *loaded;
-    }
-    static std::string saved(const Scene& scene) {
-        const auto glb = glbOf(scene);
-        return glb ? *glb : throw std::runtime_error(glb.error().text);
-    }
-    static Json jsonOf(const std::string& glb) {
-        std::uint32_t length = 0;
-        std::memcpy(&length, glb.data() + 12, 4);
-        return Json::parse(glb.substr(20, length));
-    }
-    static std::string withJson(const std::string& glb, const Json& json) {
-        std::uint32_t length = 0;
-        std::memcpy(&length, glb.data() + 12, 4);
-        return packGlb(json, std::string_view(glb).substr(28 + length));
     }
     /// What one object after the other is in.
     static QByteArray groupsOf(const Scene& scene) {
