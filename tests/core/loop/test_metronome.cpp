@@ -23,7 +23,8 @@ void workFor(double seconds) {
     }
 }
 
-/// Has a frame every so many ns.
+/// Has a frame so many ns after it was asked for one: one that kept a beat of its own would owe the time by which the
+/// machine woke the tick before too late.
 class FramedDevice final : public HapticDevice {
 public:
     explicit FramedDevice(std::int64_t every, bool tells = true) : every_(every), tells_(tells) {}
@@ -32,14 +33,14 @@ public:
     void close() override {}
     DeviceSample exchange(const DeviceCommand&, double) noexcept override { return {}; }
     bool awaitFrame(std::int64_t until) noexcept override {
-        last_ = std::min(until, std::max(last_ + every_, monotonicNanoseconds()));
-        while (tells_ && monotonicNanoseconds() < last_) {
+        const std::int64_t frame = std::min(until, monotonicNanoseconds() + every_);
+        while (tells_ && monotonicNanoseconds() < frame) {
         }
         return tells_;
     }
 
 private:
-    std::int64_t every_, last_ = monotonicNanoseconds();
+    std::int64_t every_;
     bool tells_;
 };
 
