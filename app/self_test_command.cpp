@@ -1,14 +1,13 @@
-#include <ctime>
 #include <iostream>
+#include <iterator>
 
 #include "app/commands.h"
-#include "core/base/atomic_file.h"
 #include "core/base/numbers.h"
 #include "core/port/device_check.h"
+#include "core/self_test/device_bench.h"
+#include "core/self_test/self_test.h"
 #include "device/profile.h"
 #include "device/registry.h"
-#include "device/self_test/device_bench.h"
-#include "device/self_test/self_test.h"
 
 namespace tactum {
 namespace {
@@ -16,20 +15,24 @@ namespace {
 /// The person at the terminal: Enter is done, s leaves out, q or the end of the input ends.
 class AtTerminal final : public TrialPerson, public Opening {
 public:
-    bool does(TrialAsk, const std::string& words) override {
-        std::cout << words << "\n  [Enter: done, s: leave this out, q: end] " << std::flush;
+    void begins(TrialPart part) override {
+        std::cout << "\nPart " << int(part) + 1 << " of " << std::size(kTrialParts) << ": "
+                  << kTrialParts[std::size_t(part)] << std::endl;
+    }
+    bool does(TrialAsk, const TrialWords& words) override {
+        std::cout << words.english() << "\n  [Enter: done, s: leave this out, q: end] " << std::flush;
         return answer().empty() && !leaves_;
     }
     bool leaves() const override { return leaves_; }
-    std::optional<double> mass() override {
+    std::optional<double> mass(double heaviest) override {
         std::cout
             << "The mass of what you can hang on the handle by a thread, some coins for instance, in grams "
-               "(better 50 than 10)\n  [s: leave this out, q: end] "
-            << std::flush;
+               "(better 50 than 10, at most "
+            << int(1e3 * heaviest) << ")\n  [s: leave this out, q: end] " << std::flush;
         const auto grams = parseNumber(answer());
         return grams ? std::optional(1e-3 * *grams) : std::nullopt;
     }
-    void hears(const std::string& words) override { std::cout << words << std::endl; }
+    void hears(const TrialWords& words) override { std::cout << words.english() << std::endl; }
 
     // While the device is made ready.
     void begin(std::string_view step, std::string_view request) override {
@@ -49,32 +52,12 @@ private:
     bool leaves_ = false;
 };
 
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%d", std::localtime(&now));
-    return text;
-}
-
-Result<void> write(const SelfTestReport& report, const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        return machineError(folder.string() + ": cannot be made (" + error.message() + "); name another");
-    const std::string date = today();
-    for (const auto& [name, text] :
-         {std::pair("profile.json", profileOfReport(report, date)),
-          std::pair("report.html", htmlOfReport(report, date)), std::pair("ticks.csv", csvOfReport(report))})
-        if (auto written = writeFileAtomically(folder / name, text); !written) return written;
-    return {};
-}
-
 void say(const SelfTestReport& report, const std::filesystem::path& folder) {
-    for (const std::string& fault : report.faults)
-        std::cout << "wrong: " << fault << '\n';
+    for (const TrialWords& fault : report.faults)
+        std::cout << "wrong: " << fault.english() << '\n';
     if (report.faults.empty()) std::cout << "Nothing wrong was found.\n";
-    for (const std::string& what : report.leftOut)
-        std::cout << "left out: " << what << '\n';
+    for (const TrialWords& what : report.leftOut)
+        std::cout << "left out: " << what.english() << '\n';
     std::cout << "Written: profile.json, report.html and ticks.csv in " << folder.string() << '\n';
     if (const std::string key = profileFor(report.device.name); !key.empty())
         std::cout << "To use what was measured, copy profile.json to "
@@ -104,7 +87,8 @@ Result<int> runSelfTest(const SelfTestOptions& options) {
     auto report = checkDevice((*device)->info()).and_then([&] { return test(**device, person); });
     (*device)->close();
     if (!report) return tl::unexpected(report.error());
-    if (const auto written = write(*report, options.out); !written) return tl::unexpected(written.error());
+    if (const auto written = writeSelfTest(*report, selfTestDate(), options.out); !written)
+        return tl::unexpected(written.error());
     say(*report, options.out);
     return report->faults.empty() ? 0 : 1;
 }

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/atomic_file.h"
 #include "core/port/device_check.h"
 #include "core/port/device_figures.h"
 #include "device/built_in_profiles.h"
@@ -119,6 +120,27 @@ std::size_t fit(const std::string& key, const std::vector<std::string>& name) {
     return all ? words.size() : 0;
 }
 
+Result<std::string> textOf(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) return wrong(file, "is no file; remove it");
+    constexpr std::size_t kMax = 1 << 20;
+    std::string text(kMax, '\0');
+    std::ifstream in(file, std::ios::binary);
+    in.read(text.data(), std::streamsize(kMax));
+    if (in.bad() || (in.fail() && !in.eof())) return wrong(file, "cannot be read; check its permissions");
+    text.resize(std::size_t(in.gcount()));
+    return text;
+}
+
+/// A name beside the file that nothing has yet: "falcon-before-2.json".
+std::filesystem::path besides(const std::filesystem::path& file) {
+    std::error_code error;
+    for (int number = 1;; ++number) {
+        const auto name = file.stem().string() + "-before-" + std::to_string(number) + ".json";
+        if (!std::filesystem::exists(file.parent_path() / name, error)) return file.parent_path() / name;
+    }
+}
+
 } // namespace
 
 Result<DeviceProfile> readProfile(std::string_view text, const std::filesystem::path& file,
@@ -150,18 +172,39 @@ Result<DeviceProfile> profileOf(std::string_view key, const std::filesystem::pat
     const std::filesystem::path file = folder / (std::string(key) + ".json");
     std::error_code error;
     if (folder.empty() || !std::filesystem::exists(file, error)) return *found;
-    if (!std::filesystem::is_regular_file(file, error)) return wrong(file, "is no file; remove it");
-    constexpr std::size_t kMax = 1 << 20;
-    std::string text(kMax, '\0');
-    std::ifstream in(file, std::ios::binary);
-    in.read(text.data(), std::streamsize(kMax));
-    if (in.bad() || (in.fail() && !in.eof())) return wrong(file, "cannot be read; check its permissions");
-    text.resize(std::size_t(in.gcount()));
-    auto own = readProfile(text, file, *found);
+    const Result<std::string> text = textOf(file);
+    if (!text) return tl::unexpected<Error>(text.error());
+    auto own = readProfile(*text, file, *found);
     if (own && own->info.maxForce > found->info.maxForce)
         return wrong(file, "\"max_force_N\" is " + numberOf(own->info.maxForce) + ", and the device gives " +
                                numberOf(found->info.maxForce) + "; a file may lower it, not raise it");
     return own;
+}
+
+Result<std::filesystem::path> keepProfile(std::string_view key, std::string_view text,
+                                          const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / (std::string(key) + ".json");
+    const auto before = profileOf(key, folder);
+    if (!before) return tl::unexpected<Error>(before.error());
+    if (const auto after = readProfile(text, file, *before); !after)
+        return tl::unexpected<Error>(after.error());
+    Json whole = Json::parse(text);
+    std::filesystem::path copy;
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (std::filesystem::exists(file, error)) {
+        const Result<std::string> old = textOf(file);
+        if (!old) return tl::unexpected<Error>(old.error());
+        copy = besides(file);
+        if (const auto copied = writeFileAtomically(copy, *old); !copied)
+            return tl::unexpected<Error>(copied.error());
+        Json merged = Json::parse(*old);
+        merged.merge_patch(whole);
+        whole = std::move(merged);
+    }
+    if (const auto written = writeFileAtomically(file, whole.dump(2) + "\n"); !written)
+        return tl::unexpected<Error>(written.error());
+    return copy;
 }
 
 std::string profileFor(std::string_view model) {

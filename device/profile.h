@@ -33,6 +33,13 @@ const std::vector<DeviceProfile>& builtInProfiles();
 /// nothing. Errors: no such key, a file that cannot be read. Thread: any but real time.
 Result<DeviceProfile> profileOf(std::string_view key, const std::filesystem::path& folder);
 
+/// Lays the figures of a profile's text over KEY.json in the person's folder: what it does not name stays, a
+/// limit that the person set for instance. The file that was there is copied beside it first; the answer is
+/// that copy, or empty. Errors: a text or a file that is wrong, a folder that cannot be written.
+/// Thread: any but real time.
+Result<std::filesystem::path> keepProfile(std::string_view key, std::string_view text,
+                                          const std::filesystem::path& folder);
+
 /// The built-in profile for what a device calls itself: the one most of whose words begin words of the name,
 /// and all of them; empty when there is none. "omega.3" is an omega. Thread: any but real time.
 std::string profileFor(std::string_view model);

@@ -246,6 +246,18 @@ Result<std::string> DeviceRegistry::supply(const std::string& id, const std::fil
     return own->supply(file);
 }
 
+Result<std::string> DeviceRegistry::keepFigures(const std::string& name, const std::string& profile) {
+    const std::string key = profileFor(name);
+    if (key.empty())
+        return inputError("There is no profile for " + inQuotes(name) + ": save the self-test instead.");
+    if (settings_.profiles.empty()) return machineError("There is no folder for profiles: set HOME.");
+    const auto kept = keepProfile(key, profile, settings_.profiles);
+    if (!kept) return tl::unexpected<Error>(kept.error());
+    const std::string where = inQuotes((settings_.profiles / (key + ".json")).string());
+    return "The measured figures are in " + where +
+           (kept->empty() ? "." : "; what was there before is in " + inQuotes(kept->string()) + ".");
+}
+
 std::filesystem::path personsProfiles() {
     const char* const settings = std::getenv("XDG_CONFIG_HOME");
     const char* const home = std::getenv("HOME");

@@ -32,6 +32,7 @@ public:
     /// Errors: no such device, or not there any more; a profile that is wrong.
     Result<std::unique_ptr<HapticDevice>> make(const std::string& id) override;
     Result<std::string> supply(const std::string& id, const std::filesystem::path& file) override;
+    Result<std::string> keepFigures(const std::string& name, const std::string& profile) override;
 
     /// Those of one maker's library, "openhaptics" for instance, asked in this process; all of them without a
     /// name. Thread: as list().

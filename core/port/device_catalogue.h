@@ -39,6 +39,11 @@ public:
     /// Keeps a copy of the file that a device lacks where its driver finds it. The answer is a sentence of
     /// what it was and where it is now. Errors: another file than it wants. Thread: as list().
     virtual Result<std::string> supply(const std::string& id, const std::filesystem::path& file) = 0;
+    /// Lays measured figures (the text of a profile) over those that are kept of the person for devices of
+    /// this name, and so the next make() has them; what the text does not name stays, and what was kept
+    /// before is kept beside it. The answer is a sentence of where they are. Errors: there is no such
+    /// profile. Thread: as list().
+    virtual Result<std::string> keepFigures(const std::string& name, const std::string& profile) = 0;
 };
 
 } // namespace tactum

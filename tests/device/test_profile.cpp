@@ -34,6 +34,28 @@ class TestProfile : public QObject {
     Q_OBJECT
 
 private slots:
+    void measuredFiguresAreLaidOverTheOwnOnes() {
+        const QTemporaryDir folder;
+        const std::filesystem::path place = std::filesystem::path(folder.path().toStdString()) / "devices";
+        const char* const measured =
+            R"({"format": "tactum-device", "version": 1, "figures": {"damping_N_s_per_m": 0.9}})";
+        const auto first = keepProfile("falcon", measured, place);
+        VERIFY_RESULT(first);
+        QVERIFY(first->empty());
+        QCOMPARE(profileOf("falcon", place)->info.damping, 0.9);
+        std::ofstream(place / "falcon.json") << R"({"format": "tactum-device",
+            "figures": {"max_force_N": 6, "damping_N_s_per_m": 0.7}})";
+        const auto second = keepProfile("falcon", measured, place);
+        VERIFY_RESULT(second);
+        // The limit that the person set still holds, and the file of before is beside it.
+        QCOMPARE(profileOf("falcon", place)->info.damping, 0.9);
+        QCOMPARE(profileOf("falcon", place)->info.maxForce, 6.0);
+        QCOMPARE(second->filename(), std::filesystem::path("falcon-before-1.json"));
+        QVERIFY(std::filesystem::exists(*second));
+        QVERIFY(!keepProfile("falcon", R"({"format": "tactum-device", "figures": {"wit": 1}})", place));
+        QCOMPARE(profileOf("falcon", place)->info.maxForce, 6.0);
+    }
+
     void builtInOnesArePossible() {
         QCOMPARE_GT(builtInProfiles().size(), 10);
         for (const DeviceProfile& profile : builtInProfiles()) {

@@ -1,10 +1,14 @@
 // The self-test in real time: the real driver, the real libusb and an emulated Falcon, sound and with faults
 // put in between driver and program.
+#include <thread>
+
 #include <QTest>
 
-#include "device/self_test/device_bench.h"
-#include "device/self_test/self_test.h"
+#include "core/port/stop_button.h"
+#include "core/self_test/device_bench.h"
+#include "core/self_test/self_test.h"
 #include "tests/device/falcon/falcon_bench.h"
+#include "tests/device/falcon/wrong_falcon.h"
 #include "tests/support/compare.h"
 #include "tests/support/quiet.h"
 #include "tests/support/test_program.h"
@@ -16,59 +20,17 @@ using namespace tactum::test;
 
 namespace {
 
-constexpr FalconBody::Hand kFree{.mass = 0.15, .stiffness = 0, .damping = 1.2};
-
-struct Wrong {
-    Vec3 scale{1, 1, 1}; ///< of the readings
-    Vec3 motor{1, 1, 1};
-    std::size_t late = 0; ///< ticks, of the commands
-};
-
-/// A device whose maker, or whose driver, got something wrong.
-class WrongDevice final : public HapticDevice {
-public:
-    WrongDevice(std::unique_ptr<HapticDevice> device, const Wrong& wrong)
-        : device_(std::move(device)), wrong_(wrong) {}
-
-    DeviceInfo info() const override { return device_->info(); }
-    Result<void> open() override { return device_->open(); }
-    void close() override { device_->close(); }
-    std::string trouble() const override { return device_->trouble(); }
-    bool awaitFrame(std::int64_t until) noexcept override { return device_->awaitFrame(until); }
-    void emergencyStop() noexcept override { device_->emergencyStop(); }
-    DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override {
-        onTheWay_[tick_ % onTheWay_.size()] = command.force;
-        const Vec3 force = onTheWay_[(tick_ + onTheWay_.size() - wrong_.late) % onTheWay_.size()];
-        ++tick_;
-        DeviceSample sample = device_->exchange({force.cwiseProduct(wrong_.motor)}, dt);
-        sample.position = sample.position.cwiseProduct(wrong_.scale);
-        return sample;
-    }
-
-private:
-    std::unique_ptr<HapticDevice> device_;
-    Wrong wrong_;
-    std::array<Vec3, 32> onTheWay_{};
-    std::size_t tick_ = 0;
-};
-
 /// Leads the emulated grip as it is asked, and has no mass to hang.
 class FalconPerson final : public TrialPerson {
 public:
     explicit FalconPerson(EmulatedFalcon& falcon) : falcon_(falcon) {}
 
-    bool does(TrialAsk what, const std::string&) override {
-        const bool led = what == TrialAsk::Zero || what == TrialAsk::Right || what == TrialAsk::Up ||
-                         what == TrialAsk::Toward;
-        falcon_.setHand(led ? FalconBody::Hand{} : kFree);
-        falcon_.putGrip(what == TrialAsk::Right    ? Vec3(kRulerWay, 0, 0)
-                        : what == TrialAsk::Up     ? Vec3(0, kRulerWay, 0)
-                        : what == TrialAsk::Toward ? Vec3(0, 0, kRulerWay)
-                                                   : Vec3(0, 0, 0));
+    bool does(TrialAsk what, const TrialWords&) override {
+        doAsAsked(falcon_, what);
         return what != TrialAsk::Press;
     }
-    std::optional<double> mass() override { return {}; }
-    void hears(const std::string&) override {}
+    std::optional<double> mass(double) override { return {}; }
+    void hears(const TrialWords&) override {}
 
 private:
     EmulatedFalcon& falcon_;
@@ -86,19 +48,20 @@ Result<SelfTestReport> reportOf(FalconBench& bench, const Wrong& wrong) {
 
 double valueOf(const SelfTestReport& report, const std::string& name) {
     for (const SelfTestFigure& figure : report.figures)
-        if (figure.name == name) return figure.measured.value;
+        if (figure.name.english() == name) return figure.measured.value;
     return NAN;
 }
 
 QByteArray all(const SelfTestReport& report) {
     QByteArray text;
-    for (const std::string& line : report.faults)
-        text += QByteArray::fromStdString(line) + '\n';
-    for (const std::string& line : report.leftOut)
-        text += "left out: " + QByteArray::fromStdString(line) + '\n';
+    for (const TrialWords& line : report.faults)
+        text += QByteArray::fromStdString(line.english()) + '\n';
+    for (const TrialWords& line : report.leftOut)
+        text += "left out: " + QByteArray::fromStdString(line.english()) + '\n';
     for (const SelfTestFigure& figure : report.figures)
-        text += QByteArray::fromStdString(figure.name) + ": " + QByteArray::number(figure.measured.value) +
-                " +- " + QByteArray::number(figure.measured.error) + '\n';
+        text += QByteArray::fromStdString(figure.name.english()) + ": " +
+                QByteArray::number(figure.measured.value) + " +- " +
+                QByteArray::number(figure.measured.error) + '\n';
     return text;
 }
 
@@ -119,8 +82,8 @@ private slots:
         for (const char* axis : {"x", "y", "z"}) {
             const double mass = valueOf(*report, std::string("moving mass along ") + axis),
                          damping = valueOf(*report, std::string("damping along ") + axis);
-            QVERIFY2(std::abs(mass / kFree.mass - 1) < 0.05, text);
-            QVERIFY2(std::abs(damping / kFree.damping - 1) < 0.05, text);
+            QVERIFY2(std::abs(mass / kFreeGrip.mass - 1) < 0.05, text);
+            QVERIFY2(std::abs(damping / kFreeGrip.damping - 1) < 0.05, text);
         }
         QVERIFY2(!bench.device->overdriven(), text);
     }
@@ -142,7 +105,7 @@ private slots:
     void aHandleThatIsThrownGetsNoForce() {
         FalconBench bench(1);
         WrongDevice device(bench.opened(), {});
-        bench.device->setHand(kFree);
+        bench.device->setHand(kFreeGrip);
         bench.device->putGrip({0, -0.02, 0});
         DeviceBench trials(device);
         VERIFY_RESULT(trials.start());
@@ -150,6 +113,47 @@ private slots:
         const auto rows = trials.run(5, 8, throws);
         QVERIFY(!rows);
         COMPARE_CONTAINS(QByteArray::fromStdString(rows.error().text), "was faster than 1.5 m/s");
+        QTRY_VERIFY(bench.device->force().isZero());
+    }
+
+    void endedFromOutsideItHasNoForceAtOnce() {
+        FalconBench bench(1);
+        WrongDevice device(bench.opened(), {});
+        DeviceBench trials(device);
+        VERIFY_RESULT(trials.start());
+        const auto holds = [](const TrialRow&, const Vec3&) -> Vec3 { return {0, 1, 0}; };
+        std::thread person([&] {
+            while (!(trials.look().runs && trials.look().force.y() > 0.5))
+                std::this_thread::yield();
+            trials.end();
+        });
+        const auto rows = trials.run(60, 8, holds);
+        person.join();
+        QVERIFY(!rows);
+        COMPARE_CONTAINS(QByteArray::fromStdString(rows.error().text), "has no force any more");
+        QTRY_VERIFY(bench.device->force().isZero());
+        QVERIFY(!trials.run(1, 8, holds)); // nor ever again
+    }
+
+    /// The button that ends all force ends an experiment that has some, and not the one that counts the
+    /// buttons.
+    void theStopButtonEndsWhatHasForce() {
+        FalconBench bench(1);
+        const auto stop = std::make_shared<StopSwitch>();
+        stop->buttons = 1;
+        StopButton device(bench.opened(), stop);
+        DeviceBench trials(device);
+        VERIFY_RESULT(trials.start());
+        const auto holds = [](const TrialRow&, const Vec3&) -> Vec3 { return {0, 1, 0}; };
+        VERIFY_RESULT(trials.run(0.1, 8, holds));
+        bench.device->setButtons(1);
+        const auto counted = trials.run(0.3, 0, holds);
+        VERIFY_RESULT(counted);
+        QCOMPARE(counted->back().buttons, 1U);
+        QVERIFY(stop->pressed);
+        const auto rows = trials.run(5, 8, holds);
+        QVERIFY(!rows);
+        COMPARE_CONTAINS(QByteArray::fromStdString(rows.error().text), "was stopped by its own button");
         QTRY_VERIFY(bench.device->force().isZero());
     }
 

@@ -51,6 +51,7 @@ public:
         return machineError("It does not answer: switch it on.");
     }
     Result<std::string> supply(const std::string&, const std::filesystem::path&) override { return "taken"; }
+    Result<std::string> keepFigures(const std::string&, const std::string&) override { return "kept"; }
 };
 
 struct Loops {

@@ -134,7 +134,13 @@ public:
         return "The firmware " + file.string() + " is kept.";
     }
 
+    Result<std::string> keepFigures(const std::string& name, const std::string& profile) override {
+        keptFigures = profile;
+        return "The figures of " + name + " are kept.";
+    }
+
     std::shared_ptr<HandTarget> hand; ///< of the simulated one
+    std::string keptFigures;          ///< the profile that was kept last
     std::atomic<bool> locked{false};
     std::atomic<bool> hidden{false};     ///< there, but not listed
     std::atomic<bool> other{false};      ///< a second one of the kind is listed

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "device/self_test/self_test.h"
+#include "core/self_test/self_test.h"
 
 namespace tactum {
 namespace {
@@ -23,19 +23,19 @@ std::string escaped(const std::string& text) {
     return safe;
 }
 
-std::string listOf(const std::string& title, const std::vector<std::string>& lines, const std::string& none) {
+std::string listOf(const std::string& title, const std::vector<TrialWords>& lines, const std::string& none) {
     std::string html = "<h2>" + title + "</h2>\n";
     if (lines.empty()) return html + "<p>" + none + "</p>\n";
     html += "<ul>\n";
-    for (const std::string& line : lines)
-        html += "<li>" + escaped(line) + "</li>\n";
+    for (const TrialWords& line : lines)
+        html += "<li>" + escaped(line.english()) + "</li>\n";
     return html + "</ul>\n";
 }
 
 std::string rowOf(const SelfTestFigure& figure) {
     const std::string error =
         figure.measured.error > 0 ? "&plusmn; " + shortNumber(figure.measured.error) : "";
-    return "<tr><td>" + escaped(figure.name) + "</td><td>" + shortNumber(figure.measured.value) +
+    return "<tr><td>" + escaped(figure.name.english()) + "</td><td>" + shortNumber(figure.measured.value) +
            "</td><td>" + error + "</td><td>" + escaped(figure.unit) + "</td><td>" +
            (figure.said ? shortNumber(*figure.said) : "") + "</td></tr>\n";
 }
@@ -56,7 +56,7 @@ std::string profileOfReport(const SelfTestReport& report, const std::string& dat
                                                   shortNumber(figure.measured.error) + " " + figure.unit}};
     const nlohmann::ordered_json profile{{"format", "tactum-device"},
                                          {"version", 1},
-                                         {"note", "Measured by tactum devices --self-test on " + date + "."},
+                                         {"note", "Measured by the self-test on " + date + "."},
                                          {"figures", figures}};
     // A name or a unit that is no UTF-8 is shown with a mark and not refused.
     return profile.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";

@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-#include "device/self_test/identify.h"
+#include "core/self_test/identify.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 

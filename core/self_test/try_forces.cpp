@@ -3,9 +3,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "device/self_test/trial.h"
+#include "core/self_test/trial.h"
 
 namespace tactum {
+
+using namespace trial_words;
+
 namespace {
 
 constexpr double kGravity = 9.80665;
@@ -69,15 +72,13 @@ void judgePush(Trial& trial, int axis, const Vec3& move) {
     const std::string name = kTrialAxes[std::size_t(axis)];
     int along = 0;
     if (move.cwiseAbs().maxCoeff(&along) < std::max(kLeastPush, 3 * trial.noise)) {
-        trial.fault("The device does not push along " + name +
-                    ": look at the supply of its motors, and whether something holds it.");
+        trial.fault({kNoPush, {name}});
         trial.springs = false;
     } else if (along != axis) {
-        trial.fault("The motors push along " + std::string(kTrialAxes[std::size_t(along)]) +
-                    " when they should along " + name + ".");
+        trial.fault({kPushAlong, {kTrialAxes[std::size_t(along)], name}});
         trial.springs = false;
     } else if (move[axis] < 0) {
-        trial.fault("The motors push the other way along " + name + ".");
+        trial.fault({kPushOtherWay, {name}});
         trial.wiring.motor[std::size_t(axis)] *= -1;
     }
 }
@@ -142,40 +143,31 @@ TrialFigure meanOf(const std::vector<double>& values) {
 
 /// kg of what hangs there, where it can be weighed.
 std::optional<double> massToHang(Trial& trial) {
-    const std::string what = "the weight of a known mass";
     const double heaviest = kShareOfWeight * trial.device.maxForce / kGravity;
-    const auto mass = trial.person.leaves() ? std::nullopt : trial.person.mass();
+    const auto mass = trial.person.leaves() ? std::nullopt : trial.person.mass(heaviest);
     if (mass && *mass >= kLightest && *mass <= heaviest) return mass;
-    trial.leaveOut(mass ? what + ", which must be from 5 to " + trialNumber("%.0f", 1e3 * heaviest) + " g"
-                        : what);
+    trial.leaveOut(mass ? TrialWords(kWeighingMass, {trialNumber("%.0f", 1e3 * heaviest)}) : kWeighing);
     return {};
 }
 
 void judgeWeight(Trial& trial, double mass, const TrialFigure& with, const TrialFigure& without) {
     const double felt = with.value - without.value;
     if (felt < 0.1 * mass * kGravity) {
-        trial.fault(
-            "The motors do not feel the known mass: it did not hang freely, or they are far too strong.");
+        trial.fault(kNoWeight);
         return;
     }
     const double gain = mass * kGravity / felt;
     trial.forceGain = {gain, gain * std::hypot(with.error, without.error) / felt};
-    trial.figure("", "force along y to the force that is asked for", "", trial.forceGain, 1);
+    trial.figure("", kForceScale, "", trial.forceGain, 1);
     if (std::abs(gain - 1) > std::max(kWrongScale, 2 * trial.forceGain.error))
-        trial.fault("The motors push " + trialNumber("%.2f", gain) +
-                    " times as hard as they are told, along y: calibrate the driver (docs/devices.md).");
+        trial.fault({kNewton, {trialNumber("%.2f", gain)}});
 }
 
 } // namespace
 
 Result<void> tryMotors(Trial& trial) {
-    if (!trial.springs)
-        return trial.leaveOut("the motors' directions: the readings do not say where it goes"),
-               Result<void>{};
-    if (!trial.does(
-            TrialAsk::LetGo,
-            "Lead the handle to the middle of the workspace and let go. It will twitch a little each way.",
-            "the motors' directions, and what rests on them")) {
+    if (!trial.springs) return trial.leaveOut(kNoPlaces), Result<void>{};
+    if (!trial.does(TrialAsk::LetGo, kLetTwitch, kDirections)) {
         trial.springs = false;
         return {};
     }
@@ -187,13 +179,11 @@ Result<void> tryMotors(Trial& trial) {
 }
 
 Result<void> tryDynamics(Trial& trial) {
-    const std::string what = "mass, damping, friction and delay";
-    if (!trial.springs) return trial.leaveOut(what + ": no spring can hold it"), Result<void>{};
-    if (!trial.does(TrialAsk::LetGo, "Keep your hands off: it holds itself in the middle and shakes.", what))
-        return {};
+    if (!trial.springs) return trial.leaveOut(kFiguresNoSpring), Result<void>{};
+    if (!trial.does(TrialAsk::LetGo, kLetShake, kFigures)) return {};
     for (int axis = 0; axis < 3; ++axis) {
         const std::string name = kTrialAxes[std::size_t(axis)];
-        trial.person.hears("Shaking along " + name + ".");
+        trial.person.hears({kShaking, {name}});
         auto rows = shake(trial, axis);
         if (!rows) return tl::unexpected(rows.error());
         std::erase_if(*rows, [](const TrialRow& row) { return row.time < kEase; });
@@ -202,24 +192,20 @@ Result<void> tryDynamics(Trial& trial) {
             trial.dynamics[std::size_t(axis)] = found;
             trial.delay = std::max(trial.delay, found->delay.value);
         } else {
-            trial.leaveOut(what + " along " + name + ": it hardly moved, or something held it");
+            trial.leaveOut({kFiguresHardly, {name}});
         }
     }
     return {};
 }
 
 Result<void> tryWeight(Trial& trial) {
-    const std::string what = "the weight of a known mass";
-    if (!trial.springs) return trial.leaveOut(what + ": no spring can hold it"), Result<void>{};
+    if (!trial.springs) return trial.leaveOut(kWeighingNoSpring), Result<void>{};
     const auto mass = massToHang(trial);
     if (!mass) return {};
-    if (!trial.does(TrialAsk::LetGo, "Keep your hands off: it swings slowly, without the mass.", what))
-        return {};
+    if (!trial.does(TrialAsk::LetGo, kLetSwing, kWeighing)) return {};
     const auto without = weigh(trial);
     if (!without) return tl::unexpected(without.error());
-    if (!trial.does(TrialAsk::Hang, "Hang the mass on the handle by a thread, and let it come to rest.",
-                    what))
-        return {};
+    if (!trial.does(TrialAsk::Hang, trial_words::kHang, kWeighing)) return {};
     const auto with = weigh(trial);
     if (!with) return tl::unexpected(with.error());
     judgeWeight(trial, *mass, meanOf(*with), meanOf(*without));

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "device/self_test/trial_bench.h"
+#include "core/self_test/trial_bench.h"
 
 namespace tactum::test {
 
@@ -57,10 +57,13 @@ class PlantPerson final : public TrialPerson {
 public:
     explicit PlantPerson(PlantBench& bench) : bench_(bench) {}
 
-    bool does(TrialAsk what, const std::string& words) override;
+    bool does(TrialAsk what, const TrialWords& words) override;
     bool leaves() const override { return asked >= leavesAfter; }
-    std::optional<double> mass() override { return hangs; }
-    void hears(const std::string&) override {}
+    std::optional<double> mass(double) override { return hangs; }
+    void hears(const TrialWords&) override {}
+    void begins(TrialPart part) override { begun.push_back(part); }
+
+    std::vector<TrialPart> begun;
 
     std::set<TrialAsk> leavesOut;
     std::optional<double> hangs = 0.05; ///< kg

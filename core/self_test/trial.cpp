@@ -1,4 +1,4 @@
-#include "device/self_test/trial.h"
+#include "core/self_test/trial.h"
 
 #include <array>
 #include <cstdio>
@@ -23,12 +23,19 @@ Trial::Trial(TrialBench& bench, TrialPerson& thePerson, const DeviceInfo& theDev
 }
 
 Result<std::vector<TrialRow>> Trial::run(double seconds, const TrialForce& trueForce) {
-    auto rows = bench_.run(seconds, kShareOfForce * device.maxForce,
-                           [&](const TrialRow& row, const Vec3& velocity) -> Vec3 {
-                               TrialRow seen = row;
-                               seen.position = wiring.place(row.position);
-                               return wiring.command(trueForce(seen, wiring.place(velocity)));
-                           });
+    return run(seconds, kShareOfForce * device.maxForce, trueForce);
+}
+
+Result<std::vector<TrialRow>> Trial::runFree(double seconds) {
+    return run(seconds, 0, [](const TrialRow&, const Vec3&) -> Vec3 { return Vec3::Zero(); });
+}
+
+Result<std::vector<TrialRow>> Trial::run(double seconds, double limit, const TrialForce& trueForce) {
+    auto rows = bench_.run(seconds, limit, [&](const TrialRow& row, const Vec3& velocity) -> Vec3 {
+        TrialRow seen = row;
+        seen.position = wiring.place(row.position);
+        return wiring.command(trueForce(seen, wiring.place(velocity)));
+    });
     if (!rows) return rows;
     const double begin = report.rows.empty() ? 0 : report.rows.back().time + 1 / device.rate;
     for (TrialRow& row : *rows) {
@@ -40,17 +47,13 @@ Result<std::vector<TrialRow>> Trial::run(double seconds, const TrialForce& trueF
     return rows;
 }
 
-Result<std::vector<TrialRow>> Trial::runFree(double seconds) {
-    return run(seconds, [](const TrialRow&, const Vec3&) -> Vec3 { return Vec3::Zero(); });
-}
-
-bool Trial::does(TrialAsk ask, const std::string& words, const std::string& what) {
+bool Trial::does(TrialAsk ask, const TrialWords& words, const TrialWords& what) {
     if (!person.leaves() && person.does(ask, words)) return true;
     leaveOut(what);
     return false;
 }
 
-void Trial::figure(std::string key, std::string name, std::string unit, TrialFigure measured,
+void Trial::figure(std::string key, TrialWords name, std::string unit, TrialFigure measured,
                    std::optional<double> said) {
     report.figures.push_back({std::move(key), std::move(name), std::move(unit), measured, said});
 }

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/base/vec.h"
+#include "core/self_test/words.h"
 
 namespace tactum {
 
@@ -32,9 +32,15 @@ public:
 
     /// Runs so many seconds and gives all of their ticks. No force is longer than `limit` N. Between two
     /// calls the device has none. Errors: it is too fast, as when a motor of the wrong sign throws it; it is
-    /// silent.
+    /// silent; its own button stopped it, unless `limit` is 0: what has no force is not stopped.
     virtual Result<std::vector<TrialRow>> run(double seconds, double limit, const TrialForce& force) = 0;
 };
+
+/// What is tried, in this order. kTrialParts names them for the person.
+enum class TrialPart { Rest, Ruler, Motors, Dynamics, Weight, Buttons };
+inline constexpr const char* kTrialParts[] = {trial_words::kRest,   trial_words::kRuler,
+                                              trial_words::kMotors, trial_words::kDynamics,
+                                              trial_words::kWeight, trial_words::kButtons};
 
 /// What the person does next.
 enum class TrialAsk {
@@ -53,14 +59,17 @@ inline constexpr double kRulerWay = 0.04;
 class TrialPerson {
 public:
     virtual ~TrialPerson() = default;
+    /// The next part begins, which may have nothing to ask for.
+    virtual void begins(TrialPart) {}
     /// True when it is done; false: the person leaves this out.
-    virtual bool does(TrialAsk what, const std::string& words) = 0;
+    virtual bool does(TrialAsk what, const TrialWords& words) = 0;
     /// Gives up everything that is still to come.
     virtual bool leaves() const { return false; }
-    /// kg, of what hangs on the handle; asked for before Hang.
-    virtual std::optional<double> mass() = 0;
+    /// kg, of what the person can hang on the handle, at most `heaviest`; asked for before Hang. nullopt: it
+    /// is left out.
+    virtual std::optional<double> mass(double heaviest) = 0;
     /// What is done now, without the person.
-    virtual void hears(const std::string& words) = 0;
+    virtual void hears(const TrialWords& words) = 0;
 };
 
 } // namespace tactum

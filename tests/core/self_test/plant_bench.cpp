@@ -1,4 +1,4 @@
-#include "tests/device/self_test/plant_bench.h"
+#include "tests/core/self_test/plant_bench.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +69,7 @@ Result<std::vector<TrialRow>> PlantBench::run(double seconds, double limit, cons
     return rows;
 }
 
-bool PlantPerson::does(TrialAsk what, const std::string& words) {
+bool PlantPerson::does(TrialAsk what, const TrialWords& words) {
     ++asked;
     if (leavesOut.contains(what) || words.empty()) return false;
     bench_.held =

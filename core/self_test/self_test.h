@@ -1,19 +1,20 @@
 // Ten minutes with a device and a person: what the device really is, and what about it is wrong.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/port/haptic_device.h"
-#include "device/self_test/identify.h"
-#include "device/self_test/trial_bench.h"
+#include "core/self_test/identify.h"
+#include "core/self_test/trial_bench.h"
 
 namespace tactum {
 
 struct SelfTestFigure {
-    std::string key;  ///< of the profile where it has one, else of the report alone
-    std::string name; ///< "damping along x"
+    std::string key; ///< of the profile where it has one, else of the report alone
+    TrialWords name; ///< "damping along x"
     std::string unit;
     TrialFigure measured;
     std::optional<double> said; ///< by the profile of before
@@ -22,9 +23,9 @@ struct SelfTestFigure {
 struct SelfTestReport {
     DeviceInfo device; ///< as its profile says
     std::vector<SelfTestFigure> figures;
-    std::vector<std::string> faults;  ///< sentences: what is wrong, and what to do
-    std::vector<std::string> leftOut; ///< what was not tried, and why
-    std::vector<TrialRow> rows;       ///< of all experiments, one after the other
+    std::vector<TrialWords> faults;  ///< sentences: what is wrong, and what to do
+    std::vector<TrialWords> leftOut; ///< what was not tried, and why
+    std::vector<TrialRow> rows;      ///< of all experiments, one after the other
 };
 
 /// How long it takes, s: shorter where no ten minutes are needed, at the cost of the figures' errors.
@@ -49,5 +50,11 @@ std::string profileOfReport(const SelfTestReport& report, const std::string& dat
 std::string htmlOfReport(const SelfTestReport& report, const std::string& date);
 /// Every tick: t,x,y,z,force_x,force_y,force_z,buttons,valid.
 std::string csvOfReport(const SelfTestReport& report);
+
+/// Those three as profile.json, report.html and ticks.csv in a folder, which is made where it is not there.
+Result<void> writeSelfTest(const SelfTestReport& report, const std::string& date,
+                           const std::filesystem::path& folder);
+/// For them: "2026-01-02", in the time of this machine.
+std::string selfTestDate();
 
 } // namespace tactum

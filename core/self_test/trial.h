@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "device/self_test/self_test.h"
+#include "core/self_test/self_test.h"
 
 namespace tactum {
 
@@ -42,12 +42,13 @@ public:
     /// Runs, keeps the rows, and hands them on in true places and forces, which `trueForce` gets and gives
     /// too.
     Result<std::vector<TrialRow>> run(double seconds, const TrialForce& trueForce);
+    /// Without any force.
     Result<std::vector<TrialRow>> runFree(double seconds);
     /// False: it is left out, which the report says as `what`.
-    bool does(TrialAsk ask, const std::string& words, const std::string& what);
-    void leaveOut(const std::string& what) { report.leftOut.push_back(what); }
-    void fault(std::string sentence) { report.faults.push_back(std::move(sentence)); }
-    void figure(std::string key, std::string name, std::string unit, TrialFigure measured,
+    bool does(TrialAsk ask, const TrialWords& words, const TrialWords& what);
+    void leaveOut(TrialWords what) { report.leftOut.push_back(std::move(what)); }
+    void fault(TrialWords sentence) { report.faults.push_back(std::move(sentence)); }
+    void figure(std::string key, TrialWords name, std::string unit, TrialFigure measured,
                 std::optional<double> said = {});
 
     TrialPerson& person;
@@ -62,6 +63,8 @@ public:
     SelfTestReport report;
 
 private:
+    Result<std::vector<TrialRow>> run(double seconds, double limit, const TrialForce& trueForce);
+
     TrialBench& bench_;
 };
 

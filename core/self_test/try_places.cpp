@@ -1,17 +1,20 @@
 // What the device reads: at rest, along a ruler, and of its buttons.
 #include <cmath>
 
-#include "device/self_test/trial.h"
+#include "core/self_test/trial.h"
 
 namespace tactum {
+
+using namespace trial_words;
+
 namespace {
 
 constexpr double kRulerError = 1e-3; ///< m, of a person who reads a ruler twice
-constexpr double kHardly = 0.25;     ///< of the ruler's way: less is no motion
+constexpr double kLeastWay = 0.25;   ///< of the ruler's way: less is no motion
 constexpr double kRulerLook = 0.3;   ///< s, while it is held
 constexpr double kSlowPace = 0.9;    ///< of the rate that the profile says: less is a fault
 constexpr std::array kRulerAsks{TrialAsk::Right, TrialAsk::Up, TrialAsk::Toward};
-constexpr std::array kRulerWays{"to the right", "upwards", "toward you"};
+constexpr std::array kRulerWays{kToTheRight, kUpwards, kTowardYou};
 
 std::string axisName(int axis) {
     return kTrialAxes[std::size_t(axis)];
@@ -19,17 +22,11 @@ std::string axisName(int axis) {
 
 /// The way that the readings went while the handle went kRulerWay along an axis; nullopt: left out.
 Result<std::optional<Vec3>> wayAlong(Trial& trial, std::size_t axis) {
-    const std::string way = kRulerWays[axis], what = "the ruler along " + std::string(kTrialAxes[axis]);
+    const TrialWords way = kRulerWays[axis], what{kRulerAlong, {kTrialAxes[axis]}};
     std::array<Vec3, 2> ends;
     for (std::size_t end = 0; end < 2; ++end) {
-        const bool there =
-            end == 0
-                ? trial.does(TrialAsk::Zero,
-                             "Lay a ruler that points " + way +
-                                 ", and hold the handle at its beginning, near the middle of the workspace.",
-                             what)
-                : trial.does(kRulerAsks[axis],
-                             "Lead the handle 40 mm " + way + " along the ruler, and hold it there.", what);
+        const bool there = end == 0 ? trial.does(TrialAsk::Zero, {kHoldZero, {way}}, what)
+                                    : trial.does(kRulerAsks[axis], {kLeadAlong, {way}}, what);
         if (!there) return std::optional<Vec3>{};
         const auto rows = trial.runFree(kRulerLook);
         if (!rows) return tl::unexpected(rows.error());
@@ -40,13 +37,10 @@ Result<std::optional<Vec3>> wayAlong(Trial& trial, std::size_t axis) {
 
 void judgeScale(Trial& trial, std::size_t axis, double gain) {
     const std::string name = kTrialAxes[axis];
-    trial.figure("", "scale of the position along " + name, "", {std::abs(gain), kRulerError / kRulerWay}, 1);
-    if (gain < 0)
-        trial.fault(name + " runs the other way: its reading falls when the handle moves " +
-                    kRulerWays[axis] + ".");
+    trial.figure("", {kScaleOf, {name}}, "", {std::abs(gain), kRulerError / kRulerWay}, 1);
+    if (gain < 0) trial.fault({kOtherWay, {name, kRulerWays[axis]}});
     if (std::abs(std::abs(gain) - 1) > kWrongScale)
-        trial.fault(name + " reads " + trialNumber("%.2f", std::abs(gain)) +
-                    " times as far as the ruler says.");
+        trial.fault({kScale, {name, trialNumber("%.2f", std::abs(gain))}});
 }
 
 /// Exchanged axes; what is read along none, or twice along one, is no place at all.
@@ -55,43 +49,35 @@ void judgeAxes(Trial& trial, const TrialWiring& found) {
     for (const int axis : found.axis)
         ++times[std::size_t(axis)];
     if (times != std::array{1, 1, 1}) {
-        trial.fault(
-            "Two ways of the handle are read along one axis: an encoder or its cable is broken, or the "
-            "ruler lay askew.");
+        trial.fault(kTwice);
         trial.springs = false;
         return;
     }
     for (int axis = 0; axis < 3; ++axis)
         if (const int read = found.axis[std::size_t(axis)];
             read > axis && found.axis[std::size_t(read)] == axis)
-            trial.fault(axisName(axis) + " and " + axisName(read) + " are exchanged.");
+            trial.fault({kExchanged, {axisName(axis), axisName(read)}});
         else if (read != axis && found.axis[std::size_t(read)] != axis)
-            trial.fault("The way along " + axisName(axis) + " is read along " + axisName(read) + ".");
+            trial.fault({kReadAlong, {axisName(axis), axisName(read)}});
     trial.wiring = found;
 }
 
 } // namespace
 
 Result<void> tryRest(Trial& trial) {
-    if (!trial.does(TrialAsk::LetGo, "Let go of the handle, so that it rests by itself.",
-                    "the device at rest"))
-        return {};
-    trial.person.hears("Listening to the device at rest.");
+    if (!trial.does(TrialAsk::LetGo, kLetRest, kRest)) return {};
+    trial.person.hears(kListening);
     const auto rows = trial.runFree(trial.pace.rest);
     if (!rows) return tl::unexpected(rows.error());
     const Pace pace = paceOf(*rows);
-    trial.figure("", "new readings", "Hz", {pace.rate, 0.01 * pace.rate}, trial.device.rate);
-    trial.figure("", "median time between two readings", "s", {pace.median, 0});
-    trial.figure("", "longest time between two readings", "s", {pace.worst, 0});
+    trial.figure("", kReadings, "Hz", {pace.rate, 0.01 * pace.rate}, trial.device.rate);
+    trial.figure("", kMedian, "s", {pace.median, 0});
+    trial.figure("", kLongestGap, "s", {pace.worst, 0});
     if (pace.rate < kSlowPace * trial.device.rate)
-        trial.fault(
-            "It reads " + trialNumber("%.0f", pace.rate) + " times a second and not " +
-            trialNumber("%.0f", trial.device.rate) +
-            ": plug it into a socket of the computer itself, and look at tactum devices --latency 10.");
+        trial.fault({kSlow, {trialNumber("%.0f", pace.rate), trialNumber("%.0f", trial.device.rate)}});
     trial.noise = noiseOf(*rows);
-    trial.figure("", "noise of the position at rest", "m", {trial.noise, 0});
-    if (!rows->empty() && rows->back().buttons != 0)
-        trial.fault("A button counts as held that nobody holds: look whether it is stuck.");
+    trial.figure("", kNoise, "m", {trial.noise, 0});
+    if (!rows->empty() && rows->back().buttons != 0) trial.fault(kStuck);
     return {};
 }
 
@@ -103,9 +89,8 @@ Result<void> tryRuler(Trial& trial) {
         if (!way) return tl::unexpected(way.error());
         if (!*way) continue; // then it is taken to be as it should
         int along = 0;
-        if ((*way)->cwiseAbs().maxCoeff(&along) < kHardly * kRulerWay) {
-            trial.fault("The readings hardly change when the handle moves " + std::string(kRulerWays[axis]) +
-                        ": an encoder or its cable is broken.");
+        if ((*way)->cwiseAbs().maxCoeff(&along) < kLeastWay * kRulerWay) {
+            trial.fault({kHardly, {kRulerWays[axis]}});
             whole = trial.springs = false;
             continue;
         }
@@ -123,10 +108,7 @@ Result<void> tryRuler(Trial& trial) {
 Result<void> tryButtons(Trial& trial) {
     if (trial.device.buttons == 0) return {};
     const std::string seconds = trialNumber("%.0f", trial.pace.buttons);
-    if (!trial.does(TrialAsk::Press,
-                    "After Enter, press and release each button once within " + seconds + " seconds.",
-                    "the buttons"))
-        return {};
+    if (!trial.does(TrialAsk::Press, {kPress, {seconds}}, kPressing)) return {};
     const auto rows = trial.runFree(trial.pace.buttons);
     if (!rows) return tl::unexpected(rows.error());
     std::uint32_t ever = 0, always = ~0U;
@@ -136,13 +118,10 @@ Result<void> tryButtons(Trial& trial) {
     }
     for (int button = 0; button < trial.device.buttons; ++button)
         if (!(ever >> button & 1U))
-            trial.fault("Button " + std::to_string(button + 1) + " of " +
-                        std::to_string(trial.device.buttons) + " was not heard.");
+            trial.fault({kDeaf, {std::to_string(button + 1), std::to_string(trial.device.buttons)}});
         else if (always >> button & 1U)
-            trial.fault("Button " + std::to_string(button + 1) + " was not heard to be released.");
-    if (ever >> trial.device.buttons)
-        trial.fault("It tells of more buttons than the " + std::to_string(trial.device.buttons) +
-                    " that its profile says.");
+            trial.fault({kHeldOn, {std::to_string(button + 1)}});
+    if (ever >> trial.device.buttons) trial.fault({kMore, {std::to_string(trial.device.buttons)}});
     return {};
 }
 

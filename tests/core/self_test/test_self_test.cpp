@@ -1,10 +1,12 @@
 // What the self-test says of devices whose figures are known: they are found, every put-in fault is named,
 // and a sound device has none.
+#include <algorithm>
+
 #include <QTest>
 
+#include "core/self_test/self_test.h"
 #include "device/profile.h"
-#include "device/self_test/self_test.h"
-#include "tests/device/self_test/plant_bench.h"
+#include "tests/core/self_test/plant_bench.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 
@@ -39,15 +41,22 @@ SelfTestReport reportOf(const Plant& plant, unsigned seed = 1) {
 
 double valueOf(const SelfTestReport& report, const std::string& name) {
     for (const SelfTestFigure& figure : report.figures)
-        if (figure.name == name) return figure.measured.value;
+        if (figure.name.english() == name) return figure.measured.value;
     qWarning("no figure %s", name.c_str());
     return NAN;
 }
 
-QByteArray all(const std::vector<std::string>& lines) {
+/// For a window, which has other languages: every form is one of the table.
+bool allListed(const TrialWords& words) {
+    const bool listed = words.parts.empty() ||
+                        std::ranges::find(trial_words::kAll, words.form) != std::end(trial_words::kAll);
+    return listed && std::ranges::all_of(words.parts, allListed);
+}
+
+QByteArray all(const std::vector<TrialWords>& lines) {
     QByteArray text;
-    for (const std::string& line : lines)
-        text += QByteArray::fromStdString(line) + '\n';
+    for (const TrialWords& line : lines)
+        text += QByteArray::fromStdString(line.english()) + '\n';
     return text;
 }
 
@@ -153,6 +162,10 @@ private slots:
         const SelfTestReport report = reportOf(plant);
         const QByteArray faults = all(report.faults);
         QVERIFY2(faults.contains(sentence), faults);
+        for (const TrialWords& fault : report.faults)
+            QVERIFY2(allListed(fault), fault.form.c_str());
+        for (const SelfTestFigure& figure : report.figures)
+            QVERIFY2(allListed(figure.name), figure.name.form.c_str());
         // A ring of axes has three; a button that is stuck is heard at rest, too.
         QVERIFY2(report.faults.size() <= (plant.read[0] == 2 ? 3 : 2), faults);
     }
@@ -204,8 +217,9 @@ private slots:
         person.leavesOut = {TrialAsk::Right, TrialAsk::Hang, TrialAsk::Press};
         const auto report = selfTest(bench, person, saidOf({}));
         QVERIFY(report && report->faults.empty());
-        QCOMPARE(report->leftOut, (std::vector<std::string>{"the ruler along x", "the weight of a known mass",
-                                                            "the buttons"}));
+        QCOMPARE(all(report->leftOut),
+                 QByteArray("the ruler along x\nthe weight of a known mass\nthe buttons\n"));
+        QCOMPARE(person.begun.size(), std::size(kTrialParts));
         expectNear(valueOf(*report, "moving mass along x"), 0.15, 0.05, "mass");
     }
 
@@ -217,7 +231,8 @@ private slots:
             person.hangs = mass;
             const auto report = selfTest(bench, person, saidOf({}));
             QVERIFY(report && report->leftOut.size() == 1);
-            QVERIFY2(report->leftOut[0].starts_with("the weight of a known mass"), all(report->leftOut));
+            QVERIFY2(report->leftOut[0].english().starts_with("the weight of a known mass"),
+                     all(report->leftOut));
         }
     }
 
@@ -245,7 +260,7 @@ private slots:
         QCOMPARE(read->info.maxForce, before.info.maxForce); // nothing else
         QCOMPARE(read->info.rate, before.info.rate);
         const QByteArray text = QByteArray::fromStdString(profileOfReport(report, "2026-01-02"));
-        COMPARE_CONTAINS(text, "Measured by tactum devices --self-test on 2026-01-02");
+        COMPARE_CONTAINS(text, "Measured by the self-test on 2026-01-02");
         QVERIFY(text.contains("self-test of 2026-01-02, +-"));
     }
 

@@ -1,4 +1,4 @@
-#include "device/self_test/device_bench.h"
+#include "core/self_test/device_bench.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "core/loop/metronome.h"
 #include "core/port/force_limiter.h"
 #include "core/port/reading_clock.h"
-#include "device/self_test/trial.h"
+#include "core/self_test/trial.h"
 
 namespace tactum {
 namespace {
@@ -23,7 +23,7 @@ constexpr int kBenchFarewells = 3;     ///< exchanges with zero, the last acts
 
 /// One experiment, as the loop has it: rows are reserved before.
 struct DeviceBench::Job {
-    enum class End { Whole, TooFast, Silent, Stopped };
+    enum class End { Whole, TooFast, Silent, Stopped, Ended };
 
     double seconds;
     ForceLimiter limiter;
@@ -39,6 +39,7 @@ struct DeviceBench::Finger {
     TrialRow row;
     Vec3 velocity = Vec3::Zero();
     double silent = kGivenUp; ///< s
+    std::uint64_t readings = 0;
     bool known = false;
 
     void hear(const DeviceSample& sample, double elapsed) noexcept {
@@ -50,6 +51,7 @@ struct DeviceBench::Finger {
             velocity +=
                 std::min(1.0, apart / kVelocityTime) * ((sample.position - row.position) / apart - velocity);
         known = true;
+        ++readings;
         row.position = sample.position;
         row.buttons = sample.buttons;
     }
@@ -90,6 +92,8 @@ Result<std::vector<TrialRow>> DeviceBench::run(double seconds, double limit, con
     case Job::End::Stopped:
         return machineError(info_.name + " was stopped by its own button: release it and begin again." +
                             trouble);
+    case Job::End::Ended:
+        return machineError("The self-test was ended; " + info_.name + " has no force any more.");
     case Job::End::Whole:
         break;
     }
@@ -106,10 +110,11 @@ void DeviceBench::loop() noexcept {
         finger.row.time = now - job.begin;
         if (finger.row.time < 0) return Vec3::Zero();
         const bool fast = finger.velocity.norm() > info_.tripSpeed;
-        job.end = stopped                     ? Job::End::Stopped
-                  : finger.silent >= kGivenUp ? Job::End::Silent
-                  : fast                      ? Job::End::TooFast
-                                              : Job::End::Whole;
+        job.end = ended_.load(std::memory_order_relaxed) ? Job::End::Ended
+                  : stopped && job.limiter.maxForce > 0  ? Job::End::Stopped
+                  : finger.silent >= kGivenUp            ? Job::End::Silent
+                  : fast                                 ? Job::End::TooFast
+                                                         : Job::End::Whole;
         over = job.end != Job::End::Whole || finger.row.time >= job.seconds ||
                job.rows.size() == job.rows.capacity();
         if (over) return Vec3::Zero();
@@ -130,6 +135,13 @@ void DeviceBench::loop() noexcept {
         bool over = false;
         command.force = job ? step(*job, tick.time, sample.stopped, over) : Vec3::Zero();
         device_.announce(command);
+        looks_.write({.position = finger.row.position,
+                      .force = command.force,
+                      .buttons = finger.row.buttons,
+                      .readings = finger.readings,
+                      .silent = finger.silent,
+                      .part = job ? std::clamp(finger.row.time / job->seconds, 0.0, 1.0) : 0,
+                      .runs = job && !over});
         if (over) job_.store(nullptr, std::memory_order_release); // it is not ours any more
     }
     watchdog_.rest();

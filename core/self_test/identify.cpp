@@ -1,5 +1,5 @@
 // The estimators, each a closed form or a least-squares fit.
-#include "device/self_test/identify.h"
+#include "core/self_test/identify.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,14 +3,26 @@
 
 #include <atomic>
 
+#include "core/base/wait_free.h"
 #include "core/loop/device_watchdog.h"
 #include "core/loop/realtime_thread.h"
-#include "device/self_test/trial_bench.h"
+#include "core/self_test/trial_bench.h"
 
 namespace tactum {
 
+/// What the device says at this moment, for whoever looks on. Frame D, SI.
+struct TrialLook {
+    Vec3 position = Vec3::Zero();
+    Vec3 force = Vec3::Zero(); ///< commanded
+    std::uint32_t buttons = 0;
+    std::uint64_t readings = 0; ///< so far: its growth is the rate
+    double silent = 0;          ///< s without a reading
+    double part = 0;            ///< of the experiment that runs, 0 to 1
+    bool runs = false;          ///< an experiment
+};
+
 /// Talks to the device all the time, without force between the experiments. Thread of all members: one, not
-/// real time.
+/// real time, but where it says another.
 class DeviceBench final : public TrialBench {
 public:
     /// The device is open, and outlives this.
@@ -23,6 +35,12 @@ public:
     Result<void> start();
     Result<std::vector<TrialRow>> run(double seconds, double limit, const TrialForce& force) override;
 
+    /// No force from the next tick on; an experiment that runs ends with an error, and so does every later
+    /// one. Thread: any.
+    void end() { ended_ = true; }
+    /// The newest. Thread: one, not real time; may be another than that of the rest.
+    const TrialLook& look() { return looks_.read(); }
+
 private:
     struct Job;
     struct Finger;
@@ -33,6 +51,8 @@ private:
     DeviceWatchdog watchdog_;
     RealtimeThread thread_;
     std::atomic<bool> stop_{false};
+    std::atomic<bool> ended_{false};
+    TripleBuffer<TrialLook> looks_;
     std::atomic<Job*> job_{nullptr}; ///< the loop takes it away when it is done
 };
 

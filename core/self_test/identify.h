@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "device/self_test/trial_bench.h"
+#include "core/self_test/trial_bench.h"
 
 namespace tactum {
 
