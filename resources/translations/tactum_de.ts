@@ -104,6 +104,10 @@
             <translation>%1 N/m</translation>
         </message>
         <message>
+            <source>%1 They hold from the next connection on, which comes when you close this.</source>
+            <translation>%1 Sie gelten ab der nächsten Verbindung, die kommt, wenn Sie dies schließen.</translation>
+        </message>
+        <message>
             <source>%1 What was left out comes back by itself when there is time for it. Hide objects, or close what else keeps the machine busy.</source>
             <translation>%1 Was ausgelassen wurde, kommt von selbst zurück, wenn Zeit dafür ist. Objekte ausblenden oder schließen, was den Rechner sonst beschäftigt.</translation>
         </message>
@@ -114,6 +118,10 @@
         <message>
             <source>%1 across, scaled to %2</source>
             <translation>%1 groß, auf %2 skaliert</translation>
+        </message>
+        <message>
+            <source>%1 and %2 are exchanged.</source>
+            <translation>%1 und %2 sind vertauscht.</translation>
         </message>
         <message>
             <source>%1 asks to edit.</source>
@@ -162,6 +170,10 @@
         <message>
             <source>%1 files are in the scene now.</source>
             <translation>%1 Dateien sind jetzt in der Szene.</translation>
+        </message>
+        <message>
+            <source>%1 gives no readings any more: look at its cable and its supply. It is made ready again by itself when it is there.</source>
+            <translation>%1 liefert keine Messwerte mehr: Kabel und Stromversorgung prüfen. Es wird von selbst wieder bereit gemacht, wenn es da ist.</translation>
         </message>
         <message>
             <source>%1 goes from %2 to %3.</source>
@@ -354,6 +366,18 @@
         <message>
             <source>%1 over time</source>
             <translation>%1 über der Zeit</translation>
+        </message>
+        <message>
+            <source>%1 readings a second</source>
+            <translation>%1 Messwerte je Sekunde</translation>
+        </message>
+        <message>
+            <source>%1 reads %2 times as far as the ruler says.</source>
+            <translation>%1 zeigt das %2-Fache dessen, was das Lineal sagt.</translation>
+        </message>
+        <message>
+            <source>%1 runs the other way: its reading falls when the handle moves %2. The driver has to be repaired.</source>
+            <translation>%1 läuft andersherum: Der Messwert fällt, wenn der Griff sich %2 bewegt. Der Treiber muss berichtigt werden.</translation>
         </message>
         <message>
             <source>%1 s</source>
@@ -628,6 +652,10 @@
             <translation>Mit einem Server &amp;verbinden...</translation>
         </message>
         <message>
+            <source>&amp;Continue</source>
+            <translation>&amp;Weiter</translation>
+        </message>
+        <message>
             <source>&amp;Copy feel</source>
             <translation>Haptik &amp;kopieren</translation>
         </message>
@@ -812,6 +840,10 @@
             <translation>Als A &amp;markieren</translation>
         </message>
         <message>
+            <source>&amp;Mass</source>
+            <translation>&amp;Masse</translation>
+        </message>
+        <message>
             <source>&amp;Merge</source>
             <translation>&amp;Vereinigen</translation>
         </message>
@@ -972,6 +1004,10 @@
             <translation>Alle &amp;einblenden</translation>
         </message>
         <message>
+            <source>&amp;Skip this</source>
+            <translation>Dies &amp;auslassen</translation>
+        </message>
+        <message>
             <source>&amp;Slow motion</source>
             <translation>&amp;Zeitlupe</translation>
         </message>
@@ -994,6 +1030,10 @@
         <message>
             <source>&amp;Spring to the centre</source>
             <translation>&amp;Feder zur Mitte</translation>
+        </message>
+        <message>
+            <source>&amp;Start</source>
+            <translation>&amp;Beginnen</translation>
         </message>
         <message>
             <source>&amp;Static friction</source>
@@ -1054,6 +1094,10 @@
         <message>
             <source>&amp;Update geometry from file...</source>
             <translation>Geometrie aus Datei &amp;aktualisieren...</translation>
+        </message>
+        <message>
+            <source>&amp;Use this profile</source>
+            <translation>Dieses &amp;Profil benutzen</translation>
         </message>
         <message>
             <source>&amp;Viscosity</source>
@@ -1210,6 +1254,10 @@
         <message>
             <source>A brush that changes more</source>
             <translation>Ein Pinsel, der mehr ändert</translation>
+        </message>
+        <message>
+            <source>A button counts as held that nobody holds: look whether it is stuck.</source>
+            <translation>Eine Taste gilt als gedrückt, die niemand drückt: nachsehen, ob sie klemmt.</translation>
         </message>
         <message>
             <source>A button of the device has ended all force.</source>
@@ -1656,6 +1704,10 @@
             <translation>Alle Oberflächen</translation>
         </message>
         <message>
+            <source>Along a ruler</source>
+            <translation>An einem Lineal entlang</translation>
+        </message>
+        <message>
             <source>Along its own axes.</source>
             <translation>Entlang der eigenen Achsen.</translation>
         </message>
@@ -1992,6 +2044,14 @@
             <translation>Taste %1</translation>
         </message>
         <message>
+            <source>Button %1 of %2 was not heard.</source>
+            <translation>Taste %1 von %2 war nicht zu hören.</translation>
+        </message>
+        <message>
+            <source>Button %1 was not heard to be released.</source>
+            <translation>Taste %1 war beim Loslassen nicht zu hören.</translation>
+        </message>
+        <message>
             <source>Button that ends all force</source>
             <translation>Taste, die alle Kraft beendet</translation>
         </message>
@@ -2090,6 +2150,10 @@
         <message>
             <source>Click a surface in the view (Q) or in the outliner to see and set how it feels.</source>
             <translation>Eine Oberfläche in der Ansicht (Q) oder in der Szenenliste anklicken, um zu sehen und festzulegen, wie sie sich anfühlt.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Schließen</translation>
         </message>
         <message>
             <source>Close (Space)</source>
@@ -2684,6 +2748,10 @@
             <translation>Fühlbare Seiten von %1</translation>
         </message>
         <message>
+            <source>Figure</source>
+            <translation>Größe</translation>
+        </message>
+        <message>
             <source>File</source>
             <translation>Datei</translation>
         </message>
@@ -2810,6 +2878,10 @@
         <message>
             <source>Forces</source>
             <translation>Kräfte</translation>
+        </message>
+        <message>
+            <source>Forces come %1 ticks after their reading, and the profile says %2: with it surfaces may be too stiff and tremble.</source>
+            <translation>Kräfte kommen %1 Takte nach ihrem Messwert, und das Profil sagt %2: Damit können Oberflächen zu steif sein und zittern.</translation>
         </message>
         <message>
             <source>Forces off</source>
@@ -3004,6 +3076,10 @@
             <translation>Anfasser in der Ansicht, die die Abbildung der gewählten Ebene verschieben, drehen und skalieren (G mit dem Werkzeug Auswählen)</translation>
         </message>
         <message>
+            <source>Hang the mass on the handle by a thread, and let it come to rest.</source>
+            <translation>Die Masse an einem Faden an den Griff hängen und zur Ruhe kommen lassen.</translation>
+        </message>
+        <message>
             <source>Haptic devices</source>
             <translation>Haptische Geräte</translation>
         </message>
@@ -3195,6 +3271,10 @@
             <translation>Wie viel vom Schritt erledigt ist</translation>
         </message>
         <message>
+            <source>How much of this part is measured</source>
+            <translation>Wie viel von diesem Teil gemessen ist</translation>
+        </message>
+        <message>
             <source>How much one stroke changes in the middle of the brush, however often it crosses itself.</source>
             <translation>Wie viel ein Strich in der Mitte des Pinsels ändert, wie oft er sich auch kreuzt.</translation>
         </message>
@@ -3295,6 +3375,10 @@
             <translation>So, wie die Dinge liegen, hat es keine Wirkung.</translation>
         </message>
         <message>
+            <source>It is being measured.</source>
+            <translation>Es wird gemessen.</translation>
+        </message>
+        <message>
             <source>It is no longer there</source>
             <translation>Sie ist nicht mehr da</translation>
         </message>
@@ -3305,6 +3389,10 @@
         <message>
             <source>It lies where the mesh's texture coordinates put it; the other mappings have a frame that can be moved in the view.</source>
             <translation>Sie liegt dort, wohin die Texturkoordinaten des Netzes sie legen; die anderen Abbildungen haben einen Rahmen, der in der Ansicht bewegt werden kann.</translation>
+        </message>
+        <message>
+            <source>It reads %1 times a second and not %2: plug it into a socket of the computer itself, and look at tactum devices --latency 10.</source>
+            <translation>Es misst %1-mal je Sekunde und nicht %2-mal: an eine Buchse des Rechners selbst anschließen und tactum devices --latency 10 ansehen.</translation>
         </message>
         <message>
             <source>It rests at its beginning and every so far from it; 0: it has no detents.</source>
@@ -3333,6 +3421,10 @@
         <message>
             <source>It stands still.</source>
             <translation>Steht still.</translation>
+        </message>
+        <message>
+            <source>It tells of more buttons than the %1 that its profile says.</source>
+            <translation>Es meldet mehr Tasten als die %1, die sein Profil nennt.</translation>
         </message>
         <message>
             <source>It turns about one axis.</source>
@@ -3411,6 +3503,14 @@
             <translation>Diese Ansicht behalten</translation>
         </message>
         <message>
+            <source>Keep your hands off: it holds itself in the middle and shakes.</source>
+            <translation>Hände weg: Es hält sich selbst in der Mitte und rüttelt.</translation>
+        </message>
+        <message>
+            <source>Keep your hands off: it swings slowly, without the mass.</source>
+            <translation>Hände weg: Es schwingt langsam, ohne die Masse.</translation>
+        </message>
+        <message>
             <source>Kept for a crash after</source>
             <translation>Für einen Absturz gesichert nach</translation>
         </message>
@@ -3455,6 +3555,10 @@
             <translation>Verspätete Takte: %1</translation>
         </message>
         <message>
+            <source>Lay a ruler that points %1, and hold the handle at its beginning, near the middle of the workspace.</source>
+            <translation>Ein Lineal so legen, dass es %1 zeigt, und den Griff an seinen Anfang halten, nahe der Mitte des Arbeitsraums.</translation>
+        </message>
+        <message>
             <source>Layer</source>
             <translation>Ebene</translation>
         </message>
@@ -3483,6 +3587,14 @@
             <translation>Ebenen, oberste zuerst</translation>
         </message>
         <message>
+            <source>Lead the handle 40 mm %1 along the ruler, and hold it there.</source>
+            <translation>Den Griff am Lineal 40 mm %1 führen und dort halten.</translation>
+        </message>
+        <message>
+            <source>Lead the handle to the middle of the workspace and let go. It will twitch a little each way.</source>
+            <translation>Den Griff in die Mitte des Arbeitsraums führen und loslassen. Er wird in jede Richtung ein wenig zucken.</translation>
+        </message>
+        <message>
             <source>Leather and cloth</source>
             <translation>Leder und Stoff</translation>
         </message>
@@ -3495,8 +3607,16 @@
             <translation>Achsen lassen, wie sie waren</translation>
         </message>
         <message>
+            <source>Left out:</source>
+            <translation>Ausgelassen:</translation>
+        </message>
+        <message>
             <source>Lengths</source>
             <translation>Längen</translation>
+        </message>
+        <message>
+            <source>Let go of the handle, so that it rests by itself.</source>
+            <translation>Den Griff loslassen, sodass er von selbst ruht.</translation>
         </message>
         <message>
             <source>Let me use devices</source>
@@ -3569,6 +3689,10 @@
         <message>
             <source>Liquid</source>
             <translation>Flüssigkeit</translation>
+        </message>
+        <message>
+            <source>Listening to the device at rest.</source>
+            <translation>Das Gerät wird in Ruhe abgehört.</translation>
         </message>
         <message>
             <source>Live</source>
@@ -3729,6 +3853,10 @@
         <message>
             <source>Meas&amp;ure</source>
             <translation>M&amp;essen</translation>
+        </message>
+        <message>
+            <source>Measure the device in about ten minutes: what it really is, and what about it is wrong</source>
+            <translation>Das Gerät in etwa zehn Minuten vermessen: was es wirklich ist, und was an ihm falsch ist</translation>
         </message>
         <message>
             <source>Measure: two clicks on the model are a distance, a third gives the angle at the second; Esc ends it</source>
@@ -3915,6 +4043,10 @@
             <translation>Nachbarn des Objekts bekommen ihre Vorderseiten auf derselben Seite, geschlossene Teile außen</translation>
         </message>
         <message>
+            <source>Never more than four tenths of the device's force is used, and a handle that is too fast gets none. Cancel or Esc ends the test at any time: the force is gone at once.</source>
+            <translation>Nie wird mehr als vier Zehntel der Kraft des Geräts benutzt, und ein Griff, der zu schnell ist, bekommt keine. Abbrechen oder Esc beendet den Test jederzeit: Die Kraft ist sofort weg.</translation>
+        </message>
+        <message>
             <source>New scene</source>
             <translation>Neue Szene</translation>
         </message>
@@ -3967,6 +4099,10 @@
             <translation>Es ist kein Gerät gewählt.</translation>
         </message>
         <message>
+            <source>No device is connected, and a simulated hand has nothing to be measured.</source>
+            <translation>Kein Gerät ist verbunden, und an einer simulierten Hand gibt es nichts zu messen.</translation>
+        </message>
+        <message>
             <source>No device is connected.</source>
             <translation>Kein Gerät ist verbunden.</translation>
         </message>
@@ -3981,6 +4117,10 @@
         <message>
             <source>No edit was taken back.</source>
             <translation>Keine Änderung wurde rückgängig gemacht.</translation>
+        </message>
+        <message>
+            <source>No figure was measured that a profile has.</source>
+            <translation>Es wurde keine Größe gemessen, die ein Profil hat.</translation>
         </message>
         <message>
             <source>No file was opened yet</source>
@@ -4041,6 +4181,10 @@
         <message>
             <source>No problems found. What is doubtful about a mesh or a value will be listed here.</source>
             <translation>Keine Probleme gefunden. Was an einem Netz oder einem Wert zweifelhaft ist, wird hier aufgeführt.</translation>
+        </message>
+        <message>
+            <source>No program shows pages here; the report is %1.</source>
+            <translation>Kein Programm zeigt hier Seiten an; der Bericht ist %1.</translation>
         </message>
         <message>
             <source>No selection is kept yet</source>
@@ -4181,6 +4325,10 @@
         <message>
             <source>Nothing was recorded yet: the device has not run. Start it first.</source>
             <translation>Es wurde noch nichts aufgenommen: Das Gerät ist nicht gelaufen. Zuerst starten.</translation>
+        </message>
+        <message>
+            <source>Nothing wrong was found.</source>
+            <translation>Es wurde nichts Falsches gefunden.</translation>
         </message>
         <message>
             <source>Numbers</source>
@@ -4453,6 +4601,10 @@
         <message>
             <source>Parameter</source>
             <translation>Parameter</translation>
+        </message>
+        <message>
+            <source>Part %1 of %2: %3</source>
+            <translation>Teil %1 von %2: %3</translation>
         </message>
         <message>
             <source>Part of the radius over which the effect fades to nothing: 0 is a hard edge, at 1 it fades from the middle.</source>
@@ -4973,6 +5125,10 @@ der Grenze rendern</translation>
             <translation>Als V&amp;orgabe speichern...</translation>
         </message>
         <message>
+            <source>Said before</source>
+            <translation>Bisher gesagt</translation>
+        </message>
+        <message>
             <source>Sam&amp;e colour</source>
             <translation>Gleiche &amp;Farbe</translation>
         </message>
@@ -5045,6 +5201,10 @@ der Grenze rendern</translation>
             <translation>Szene speichern</translation>
         </message>
         <message>
+            <source>Save the self-test into a folder</source>
+            <translation>Den Selbsttest in einem Ordner speichern</translation>
+        </message>
+        <message>
             <source>Save the study</source>
             <translation>Studie speichern</translation>
         </message>
@@ -5103,6 +5263,10 @@ der Grenze rendern</translation>
         <message>
             <source>Scenes that were not saved</source>
             <translation>Nicht gespeicherte Szenen</translation>
+        </message>
+        <message>
+            <source>Se&amp;lf-test...</source>
+            <translation>Se&amp;lbsttest...</translation>
         </message>
         <message>
             <source>Search for a command</source>
@@ -5221,6 +5385,10 @@ der Grenze rendern</translation>
             <translation>Auswahlen, die unter Namen mit der Szene behalten werden</translation>
         </message>
         <message>
+            <source>Self-test of %1</source>
+            <translation>Selbsttest von %1</translation>
+        </message>
+        <message>
             <source>Send mine</source>
             <translation>Meine senden</translation>
         </message>
@@ -5261,6 +5429,10 @@ der Grenze rendern</translation>
             <translation>&amp;Vorhandene Sätze</translation>
         </message>
         <message>
+            <source>Shaking along %1.</source>
+            <translation>Es rüttelt entlang %1.</translation>
+        </message>
+        <message>
             <source>Shapes that another program has changed, with the feel that this scene has</source>
             <translation>Formen, die ein anderes Programm geändert hat, mit der Haptik, die diese Szene hat</translation>
         </message>
@@ -5287,6 +5459,10 @@ der Grenze rendern</translation>
         <message>
             <source>Show &amp;alone</source>
             <translation>A&amp;llein zeigen</translation>
+        </message>
+        <message>
+            <source>Show &amp;report</source>
+            <translation>Be&amp;richt zeigen</translation>
         </message>
         <message>
             <source>Show (Alt+H shows all)</source>
@@ -5796,6 +5972,10 @@ der Grenze rendern</translation>
             <translation>Die Taste, die gehalten werden muss, wird nicht gehalten.</translation>
         </message>
         <message>
+            <source>The buttons</source>
+            <translation>Die Tasten</translation>
+        </message>
+        <message>
             <source>The camera goes to a view</source>
             <translation>Kamera zu einer Ansicht</translation>
         </message>
@@ -5852,8 +6032,16 @@ der Grenze rendern</translation>
             <translation>Mauszeiger</translation>
         </message>
         <message>
+            <source>The device at rest</source>
+            <translation>Das Gerät in Ruhe</translation>
+        </message>
+        <message>
             <source>The device does not answer. Look at its cable and its power.</source>
             <translation>Das Gerät antwortet nicht. Kabel und Stromversorgung prüfen.</translation>
+        </message>
+        <message>
+            <source>The device does not push along %1: look at the supply of its motors, and whether something holds it.</source>
+            <translation>Das Gerät drückt nicht entlang %1: die Stromversorgung seiner Motoren prüfen, und ob etwas es festhält.</translation>
         </message>
         <message>
             <source>The device gets its full force.</source>
@@ -5872,6 +6060,18 @@ der Grenze rendern</translation>
             <translation>Das Gerät ist am haptischen Server und wird dort gewählt.</translation>
         </message>
         <message>
+            <source>The device is being made ready</source>
+            <translation>Das Gerät wird bereit gemacht</translation>
+        </message>
+        <message>
+            <source>The device is held after a fault; arm it once more first.</source>
+            <translation>Das Gerät steht nach einem Fehler still; zuerst die Kräfte noch einmal einschalten.</translation>
+        </message>
+        <message>
+            <source>The device is the server's; measure it there.</source>
+            <translation>Das Gerät gehört dem Server; dort vermessen.</translation>
+        </message>
+        <message>
             <source>The device sent nothing, or readings that cannot be true.</source>
             <translation>Das Gerät sandte nichts oder Messwerte, die nicht wahr sein können.</translation>
         </message>
@@ -5886,6 +6086,10 @@ der Grenze rendern</translation>
         <message>
             <source>The feel of %1 is copied; Ctrl+V gives it to the selected surfaces.</source>
             <translation>Die Haptik von %1 ist kopiert; Strg+V gibt sie den gewählten Oberflächen.</translation>
+        </message>
+        <message>
+            <source>The figures are laid over the device's profile, and hold from now on</source>
+            <translation>Die Größen werden über das Profil des Geräts gelegt und gelten von nun an</translation>
         </message>
         <message>
             <source>The file says it, or it could lose edits; see the bar over the view after opening.</source>
@@ -5936,8 +6140,16 @@ der Grenze rendern</translation>
             <translation>Die Kräfte sind aus. Bitte nehmen Sie den Griff in die Hand.</translation>
         </message>
         <message>
+            <source>The forces are off. The device is being closed.</source>
+            <translation>Die Kräfte sind aus. Das Gerät wird geschlossen.</translation>
+        </message>
+        <message>
             <source>The forces are on.</source>
             <translation>Die Kräfte sind an.</translation>
+        </message>
+        <message>
+            <source>The forces are on; switch them off first.</source>
+            <translation>Die Kräfte sind an; zuerst ausschalten.</translation>
         </message>
         <message>
             <source>The forces go off within a millisecond and stay off until you switch them on.</source>
@@ -6092,6 +6304,22 @@ der Grenze rendern</translation>
             <translation>Die Motoren werden warm: Wird weiter so stark gedrückt, sinkt die größte Kraft binnen Sekunden auf das, was sie dauerhaft aushalten. Weniger drücken oder sie ruhen lassen.</translation>
         </message>
         <message>
+            <source>The motors do not feel the known mass: it did not hang freely, or they are far too strong.</source>
+            <translation>Die Motoren spüren die bekannte Masse nicht: Sie hing nicht frei, oder sie sind viel zu stark.</translation>
+        </message>
+        <message>
+            <source>The motors push %1 times as hard as they are told, along y: calibrate the driver (docs/devices.md).</source>
+            <translation>Die Motoren drücken entlang y das %1-Fache dessen, was ihnen gesagt wird: den Treiber kalibrieren (docs/devices.md).</translation>
+        </message>
+        <message>
+            <source>The motors push along %1 when they should along %2.</source>
+            <translation>Die Motoren drücken entlang %1, wo sie es entlang %2 sollten.</translation>
+        </message>
+        <message>
+            <source>The motors push the other way along %1.</source>
+            <translation>Die Motoren drücken entlang %1 andersherum.</translation>
+        </message>
+        <message>
             <source>The mouse leads one hand alone; connect a device first.</source>
             <translation>Die Maus führt nur eine Hand; zuerst ein Gerät verbinden.</translation>
         </message>
@@ -6152,8 +6380,16 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Der Prozess, der das Gerät im Notfall stoppt, antwortet nicht.</translation>
         </message>
         <message>
+            <source>The profile, the report and every tick are in %1.</source>
+            <translation>Das Profil, der Bericht und jeder Takt sind in %1.</translation>
+        </message>
+        <message>
             <source>The proxy loop did not answer for 0.1 s.</source>
             <translation>Die Proxyschleife hat 0.1 s lang nicht geantwortet.</translation>
+        </message>
+        <message>
+            <source>The readings hardly change when the handle moves %1: an encoder or its cable is broken.</source>
+            <translation>Die Messwerte ändern sich kaum, wenn der Griff sich %1 bewegt: Ein Encoder oder sein Kabel ist defekt.</translation>
         </message>
         <message>
             <source>The report was written to %1.</source>
@@ -6202,6 +6438,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>The scene is felt already.</source>
             <translation>Die Szene wird schon gefühlt.</translation>
+        </message>
+        <message>
+            <source>The scene is not touched. Afterwards the window has the device again, with the forces off.</source>
+            <translation>Die Szene bleibt unberührt. Danach hat das Fenster das Gerät wieder, mit ausgeschalteten Kräften.</translation>
         </message>
         <message>
             <source>The scene was saved to %1.</source>
@@ -6270,6 +6510,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>The selection under a name, saved with the scene, to be selected again</source>
             <translation>Die Auswahl unter einem Namen, mit der Szene gespeichert, um sie wieder auszuwählen</translation>
+        </message>
+        <message>
+            <source>The self-test has ended without a result. The forces are off.</source>
+            <translation>Der Selbsttest ist ohne Ergebnis zu Ende. Die Kräfte sind aus.</translation>
         </message>
         <message>
             <source>The servo or the device stood still for more than 10 ms.</source>
@@ -6392,6 +6636,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Die Ansicht wurde nach %1 geschrieben.</translation>
         </message>
         <message>
+            <source>The way along %1 is read along %2.</source>
+            <translation>Der Weg entlang %1 wird entlang %2 gelesen.</translation>
+        </message>
+        <message>
             <source>The wheel turned away</source>
             <translation>Mausrad von sich weg</translation>
         </message>
@@ -6426,6 +6674,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>There are as many hands as can be; remove one first.</source>
             <translation>Es gibt so viele Hände, wie es geben kann; zuerst eine entfernen.</translation>
+        </message>
+        <message>
+            <source>There are several hands; remove the others first.</source>
+            <translation>Es gibt mehrere Hände; zuerst die anderen entfernen.</translation>
         </message>
         <message>
             <source>There is a camera %1 already; View &gt; Camera &gt; Kept cameras &gt; Replace by this view makes it another one.</source>
@@ -6486,6 +6738,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>This device is in use already.</source>
             <translation>Dieses Gerät ist schon in Gebrauch.</translation>
+        </message>
+        <message>
+            <source>This is wrong:</source>
+            <translation>Dies ist falsch:</translation>
         </message>
         <message>
             <source>This machine has no audio output</source>
@@ -6668,6 +6924,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Zwei Intervalle: eines hat die Referenz</translation>
         </message>
         <message>
+            <source>Two ways of the handle are read along one axis: an encoder or its cable is broken, or the ruler lay askew.</source>
+            <translation>Zwei Wege des Griffs werden entlang einer Achse gelesen: Ein Encoder oder sein Kabel ist defekt, oder das Lineal lag schief.</translation>
+        </message>
+        <message>
             <source>Type a number above 0, then Enter.</source>
             <translation>Bitte geben Sie eine Zahl über 0 ein und drücken Sie dann Eingabe.</translation>
         </message>
@@ -6800,6 +7060,14 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Ecken verschweißen</translation>
         </message>
         <message>
+            <source>What %1 really is, in about ten minutes</source>
+            <translation>Was %1 wirklich ist, in etwa zehn Minuten</translation>
+        </message>
+        <message>
+            <source>What a newton is</source>
+            <translation>Was ein Newton ist</translation>
+        </message>
+        <message>
             <source>What a trial is, in which order trials come, and what is asked</source>
             <translation>Was ein Durchgang ist, in welcher Reihenfolge Durchgänge kommen und was gefragt wird</translation>
         </message>
@@ -6810,6 +7078,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>What can be done with what is selected</source>
             <translation>Was sich mit dem Ausgewählten machen lässt</translation>
+        </message>
+        <message>
+            <source>What can you hang on the handle by a thread? Some coins, for instance, whose mass you know; better 50 g than 10, at most %1 g.</source>
+            <translation>Was können Sie an einem Faden an den Griff hängen? Ein paar Münzen zum Beispiel, deren Masse Sie kennen; lieber 50 g als 10, höchstens %1 g.</translation>
         </message>
         <message>
             <source>What do you want to do?</source>
@@ -6908,6 +7180,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Worauf der Modus "Setzen" hinarbeitet.</translation>
         </message>
         <message>
+            <source>What the motors move</source>
+            <translation>Was die Motoren bewegen</translation>
+        </message>
+        <message>
             <source>What the pattern's highest places add to the value of the material, as a part of it; -1 takes it away.</source>
             <translation>Was die höchsten Stellen des Musters zum Wert des Materials hinzufügen, als Teil davon; -1 nimmt ihn weg.</translation>
         </message>
@@ -6928,6 +7204,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Was beim letzten Programmende bearbeitet wurde, kann nicht wiederhergestellt werden: Das Journal ist beschädigt. Es wurde in %1 aufbewahrt.</translation>
         </message>
         <message>
+            <source>What was measured</source>
+            <translation>Was gemessen wurde</translation>
+        </message>
+        <message>
             <source>What you edit is not kept for the case of a crash: %1</source>
             <translation>Was Sie bearbeiten, wird nicht für den Fall eines Absturzes gesichert: %1</translation>
         </message>
@@ -6946,6 +7226,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>When the proxy loop cannot keep up, textures are left out first, then force shading, then all but the nearest planes. What was left out comes back by itself. Hide objects to help it.</source>
             <translation>Wenn die Proxyschleife nicht mitkommt, werden zuerst Texturen ausgelassen, dann Kraft-Shading, dann alle außer den nächsten Zwangsebenen. Was ausgelassen wurde, kommt von selbst zurück. Objekte auszublenden hilft.</translation>
+        </message>
+        <message>
+            <source>When you go on, press and release each button once within %1 seconds.</source>
+            <translation>Nach Weiter jede Taste innerhalb von %1 Sekunden einmal drücken und loslassen.</translation>
         </message>
         <message>
             <source>Where each contact pushes to</source>
@@ -7018,6 +7302,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Which point keeps its place while the wheel zooms.</source>
             <translation>Welcher Punkt seinen Platz behält, wenn das Mausrad zoomt.</translation>
+        </message>
+        <message>
+            <source>Which way the motors push</source>
+            <translation>Wohin die Motoren drücken</translation>
         </message>
         <message>
             <source>Whichever comes first.</source>
@@ -7128,8 +7416,16 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Ja</translation>
         </message>
         <message>
+            <source>You are led through these parts, and the test finds how the device reads, which way its motors push, what they move and how late they are.</source>
+            <translation>Sie werden durch diese Teile geführt, und der Test findet heraus, wie das Gerät misst, wohin seine Motoren drücken, was sie bewegen und wie spät sie sind.</translation>
+        </message>
+        <message>
             <source>You may use USB devices now, and real time when you have logged in again. If yours is still not usable, plug it in anew.</source>
             <translation>Sie dürfen USB-Geräte jetzt verwenden, und Echtzeit, wenn Sie sich neu angemeldet haben. Ist Ihres noch nicht verwendbar, es neu anschließen.</translation>
+        </message>
+        <message>
+            <source>You need a ruler, and some coins of known mass on a thread, better 50 g than 10. What you cannot do may be skipped.</source>
+            <translation>Sie brauchen ein Lineal und ein paar Münzen bekannter Masse an einem Faden, lieber 50 g als 10. Was Sie nicht tun können, darf ausgelassen werden.</translation>
         </message>
         <message>
             <source>Z</source>
@@ -7164,8 +7460,16 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>keine Zahl in %1</translation>
         </message>
         <message>
+            <source>all that was to come after the end that you asked for</source>
+            <translation>alles, was nach dem gewünschten Ende noch gekommen wäre</translation>
+        </message>
+        <message>
             <source>along the surface</source>
             <translation>tangential</translation>
+        </message>
+        <message>
+            <source>amplifier's lag, as it stands in the delay</source>
+            <translation>Verzug des Verstärkers, wie er in der Verzögerung steht</translation>
         </message>
         <message>
             <source>another one for each run</source>
@@ -7220,6 +7524,14 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Kontakte</translation>
         </message>
         <message>
+            <source>damping along %1</source>
+            <translation>Dämpfung entlang %1</translation>
+        </message>
+        <message>
+            <source>delay from command to force along %1</source>
+            <translation>Verzögerung vom Befehl zur Kraft entlang %1</translation>
+        </message>
+        <message>
             <source>device %1</source>
             <translation>Gerät %1</translation>
         </message>
@@ -7238,6 +7550,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>done</source>
             <translation>fertig</translation>
+        </message>
+        <message>
+            <source>dry friction along %1</source>
+            <translation>trockene Reibung entlang %1</translation>
         </message>
         <message>
             <source>dynamic</source>
@@ -7262,6 +7578,14 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>force</source>
             <translation>Kraft</translation>
+        </message>
+        <message>
+            <source>force along y to the force that is asked for</source>
+            <translation>Kraft entlang y zur verlangten Kraft</translation>
+        </message>
+        <message>
+            <source>force that the model does not explain along %1</source>
+            <translation>Kraft, die das Modell nicht erklärt, entlang %1</translation>
         </message>
         <message>
             <source>forces off</source>
@@ -7356,6 +7680,14 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>spät</translation>
         </message>
         <message>
+            <source>least damping</source>
+            <translation>kleinste Dämpfung</translation>
+        </message>
+        <message>
+            <source>least dry friction</source>
+            <translation>kleinste trockene Reibung</translation>
+        </message>
+        <message>
             <source>limited by a servo that comes late</source>
             <translation>begrenzt durch einen Servo, der zu spät kommt</translation>
         </message>
@@ -7388,12 +7720,36 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>gesperrt</translation>
         </message>
         <message>
+            <source>longest delay, with the amplifier's lag</source>
+            <translation>längste Verzögerung, mit dem Verzug des Verstärkers</translation>
+        </message>
+        <message>
+            <source>longest time between two readings</source>
+            <translation>längste Zeit zwischen zwei Messwerten</translation>
+        </message>
+        <message>
             <source>look from a camera that is kept, in the order of View &gt; Camera &gt; Kept cameras</source>
             <translation>durch eine gespeicherte Kamera blicken, in der Reihenfolge von Ansicht &gt; Kamera &gt; Gespeicherte Kameras</translation>
         </message>
         <message>
             <source>made by the surface, 0 or less is passive</source>
             <translation>von der Oberfläche erzeugt, 0 oder weniger ist passiv</translation>
+        </message>
+        <message>
+            <source>mass, damping, friction and delay</source>
+            <translation>Masse, Dämpfung, Reibung und Verzögerung</translation>
+        </message>
+        <message>
+            <source>mass, damping, friction and delay along %1: it hardly moved, or something held it</source>
+            <translation>Masse, Dämpfung, Reibung und Verzögerung entlang %1: Es bewegte sich kaum, oder etwas hielt es fest</translation>
+        </message>
+        <message>
+            <source>mass, damping, friction and delay: no spring can hold the handle</source>
+            <translation>Masse, Dämpfung, Reibung und Verzögerung: Keine Feder kann den Griff halten</translation>
+        </message>
+        <message>
+            <source>median time between two readings</source>
+            <translation>mittlere Zeit zwischen zwei Messwerten (Median)</translation>
         </message>
         <message>
             <source>mixed</source>
@@ -7424,12 +7780,24 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>bewegt sich nach Keyframes</translation>
         </message>
         <message>
+            <source>moving mass along %1</source>
+            <translation>bewegte Masse entlang %1</translation>
+        </message>
+        <message>
+            <source>new readings</source>
+            <translation>neue Messwerte</translation>
+        </message>
+        <message>
             <source>no source given</source>
             <translation>keine Quelle angegeben</translation>
         </message>
         <message>
             <source>nobody edits</source>
             <translation>niemand bearbeitet</translation>
+        </message>
+        <message>
+            <source>noise of the position at rest</source>
+            <translation>Rauschen der Position in Ruhe</translation>
         </message>
         <message>
             <source>none</source>
@@ -7584,8 +7952,16 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>dem Wiederherstellen einer Szene</translation>
         </message>
         <message>
+            <source>resolution of the position</source>
+            <translation>Auflösung der Position</translation>
+        </message>
+        <message>
             <source>rms  %1 N</source>
             <translation>eff.  %1 N</translation>
+        </message>
+        <message>
+            <source>scale of the position along %1</source>
+            <translation>Maßstab der Position entlang %1</translation>
         </message>
         <message>
             <source>scene of %1</source>
@@ -7652,6 +8028,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>die Taste wurde losgelassen</translation>
         </message>
         <message>
+            <source>the buttons</source>
+            <translation>die Tasten</translation>
+        </message>
+        <message>
             <source>the clutch is held</source>
             <translation>die Kupplung ist gehalten</translation>
         </message>
@@ -7696,6 +8076,14 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>der Griff wird offenbar lockerer gehalten als unter Gerät &gt; Live gewählt</translation>
         </message>
         <message>
+            <source>the motors' directions, and what rests on them</source>
+            <translation>die Richtungen der Motoren, und was darauf beruht</translation>
+        </message>
+        <message>
+            <source>the motors' directions: the readings do not say where it goes</source>
+            <translation>die Richtungen der Motoren: Die Messwerte sagen nicht, wohin es geht</translation>
+        </message>
+        <message>
             <source>the mouse moves it in the window; 3 degrees of freedom, 1 kHz</source>
             <translation>die Maus bewegt sie im Fenster; 3 Freiheitsgrade, 1 kHz</translation>
         </message>
@@ -7704,8 +8092,24 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>die Proxyschleife antwortete nicht</translation>
         </message>
         <message>
+            <source>the ruler along %1</source>
+            <translation>das Lineal entlang %1</translation>
+        </message>
+        <message>
             <source>the servo or the device stood still</source>
             <translation>der Servo oder das Gerät stand still</translation>
+        </message>
+        <message>
+            <source>the weight of a known mass</source>
+            <translation>das Gewicht einer bekannten Masse</translation>
+        </message>
+        <message>
+            <source>the weight of a known mass, which must be from 5 to %1 g</source>
+            <translation>das Gewicht einer bekannten Masse, die 5 bis %1 g haben muss</translation>
+        </message>
+        <message>
+            <source>the weight of a known mass: no spring can hold the handle</source>
+            <translation>das Gewicht einer bekannten Masse: Keine Feder kann den Griff halten</translation>
         </message>
         <message>
             <source>those of force shading</source>
@@ -7716,12 +8120,24 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>die der Facetten</translation>
         </message>
         <message>
+            <source>ticks</source>
+            <translation>Takte</translation>
+        </message>
+        <message>
+            <source>to the right</source>
+            <translation>nach rechts</translation>
+        </message>
+        <message>
             <source>today at %1</source>
             <translation>heute um %1</translation>
         </message>
         <message>
             <source>too fine for this mesh and left out: %1 %</source>
             <translation>zu fein für dieses Netz und ausgelassen: %1 %</translation>
+        </message>
+        <message>
+            <source>toward you</source>
+            <translation>zu Ihnen hin</translation>
         </message>
         <message>
             <source>typical; tables disagree. %1</source>
@@ -7734,6 +8150,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>up is</source>
             <translation>oben ist</translation>
+        </message>
+        <message>
+            <source>upwards</source>
+            <translation>nach oben</translation>
         </message>
         <message>
             <source>visible</source>

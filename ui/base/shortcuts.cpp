@@ -379,6 +379,8 @@ constexpr Command kCommands[] = {
      "Centred, and scaled so that the device's workspace takes in the model"},
     {"workspace-axes", "Device", "Set the a&xes by moving", "", "",
      "Move the handle to the right, up and toward you: the axes follow from that"},
+    {"self-test", "Device", "Se&lf-test...", "", "",
+     "Measure the device in about ten minutes: what it really is, and what about it is wrong"},
     {"trial-spring", "Device/Try i&t", "&Spring to the centre", "", "",
      "A gentle spring to the middle of the device's workspace, instead of the scene", true},
     {"trial-wall", "Device/Try i&t", "&Wall", "", "", "A stiff wall, instead of the scene", true},

@@ -154,6 +154,7 @@ void DeviceLink::lose(std::size_t hand) {
 
 /// Once for each time that the wanted device appears: what failed is not tried without end.
 void DeviceLink::bringBack() {
+    if (lending_) return;
     const DeviceListing* wanted = find(wanted_);
     const bool there = wanted && wanted->usable;
     if (there && attempt_) return; // another one first

@@ -110,6 +110,16 @@ public:
     void supply(const QString& id, const QString& file);
     /// Ends the preparing soon.
     void giveUp();
+    /// Why lend() has nothing to give: the first hand has no device but the simulated one, or is not alone.
+    QString whyNotLend() const;
+    /// Takes the first hand's device out of the engine and makes it anew for somebody else, to whom lent()
+    /// gives it: held to the person's largest force, and with the button that ends all force. Nothing is
+    /// brought back until takeBack().
+    void lend();
+    /// Whoever had it has let go of it: it is made ready again by itself, once it is there.
+    void takeBack();
+    /// Keeps measured figures for devices of this name, which the next one that is made has; figuresKept().
+    void keepFigures(const QString& name, const std::string& profile);
     /// Lists now instead of within the next second.
     void look();
     /// Once a frame.
@@ -118,6 +128,10 @@ public:
     StopSwitch& stop(std::size_t hand = 0) { return *used_[hand].stop; }
 
 signals:
+    /// By lend(): the device, or why there is none.
+    void lent(const std::shared_ptr<std::unique_ptr<tactum::HapticDevice>>& device, const QString& failure);
+    /// A sentence of where they are, or of why not.
+    void figuresKept(const QString& sentence, bool kept);
     void listChanged();
     /// Its state, steps, what the person has to do, its progress.
     void preparationChanged();
@@ -205,6 +219,7 @@ private:
     Made waiting_;                  ///< of the attempt: for the forces to be off
     bool wantedThere_ = false;      ///< when it was last looked for
     bool looked_ = false;           ///< for the first time
+    bool lending_ = false;          ///< nothing is brought back
     bool listing_ = false, again_ = false;
     std::size_t troubled_ = 0; ///< hands whose device was in trouble when it was last looked
     Preparation preparation_;

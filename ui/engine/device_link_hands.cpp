@@ -104,6 +104,7 @@ void DeviceLink::wait(const Made& device) {
 
 /// One after the other, and each once for each time that it appears.
 void DeviceLink::bringBackBeside() {
+    if (lending_) return;
     for (Remembered& hand : beside_) {
         const DeviceListing* listing = find(hand.id);
         if (!listing || !listing->usable) hand.tried = false;

@@ -27,23 +27,36 @@ void WorkspacePicture::setHandle(const Vec3& handle, double radius) {
     update();
 }
 
-/// `at`: in parts of the radius, y up.
-void WorkspacePicture::drawView(QPainter& painter, const QRectF& box, const QString& name, QPointF at) const {
+void WorkspacePicture::setAim(const std::optional<Vec3>& aim) {
+    aim_ = aim;
+    update();
+}
+
+/// `at` and `aim`: in parts of the radius, y up.
+void WorkspacePicture::drawView(QPainter& painter, const QRectF& box, const QString& name, QPointF at,
+                                QPointF aim) const {
     constexpr double kDot = 5;
     const double words = painter.fontMetrics().height();
-    const double r = 0.5 * std::min(box.width(), box.height() - words) - kDot;
-    const QPointF centre(box.center().x(), box.top() + r + kDot);
+    const double edge = 2 * kDot + 1; // a ring or a dot on the border is seen whole
+    const double r = 0.5 * std::min(box.width(), box.height() - words) - edge;
+    const QPointF centre(box.center().x(), box.top() + r + edge);
+    const auto inside = [](QPointF p) { return p / std::max(1.0, std::hypot(p.x(), p.y())); };
     painter.setPen(QPen(theme().border, 1));
     painter.setBrush(theme().field);
     painter.drawEllipse(centre, r, r);
     painter.drawLine(centre - QPointF(r, 0), centre + QPointF(r, 0));
     painter.drawLine(centre - QPointF(0, r), centre + QPointF(0, r));
-    const double far = std::hypot(at.x(), at.y());
     const bool outside = handle_.norm() > radius_;
-    const QPointF inside = far > 1 ? at / far : at; // it stays in the picture
+    at = inside(at); // it stays in the picture
+    aim = inside(aim);
+    if (aim_) {
+        painter.setPen(QPen(theme().proxy, 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(centre + r * QPointF(aim.x(), -aim.y()), 2 * kDot, 2 * kDot);
+    }
     painter.setPen(Qt::NoPen);
     painter.setBrush(outside ? theme().fault : theme().finger);
-    painter.drawEllipse(centre + r * QPointF(inside.x(), -inside.y()), kDot, kDot);
+    painter.drawEllipse(centre + r * QPointF(at.x(), -at.y()), kDot, kDot);
     painter.setPen(theme().textDimmed);
     painter.drawText(QRectF(box.left(), box.bottom() - words, box.width(), words), Qt::AlignCenter,
                      outside ? tr("%1, at the edge").arg(name) : name);
@@ -54,9 +67,11 @@ void WorkspacePicture::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const Vec3 p = handle_ / radius_;
+    const Vec3 aim = aim_.value_or(Vec3::Zero()) / radius_;
     const double half = 0.5 * width();
-    drawView(painter, QRectF(0, 0, half, height()), tr("front"), {p.x(), p.y()});
-    drawView(painter, QRectF(half, 0, half, height()), tr("from above"), {p.x(), -p.z()});
+    drawView(painter, QRectF(0, 0, half, height()), tr("front"), {p.x(), p.y()}, {aim.x(), aim.y()});
+    drawView(painter, QRectF(half, 0, half, height()), tr("from above"), {p.x(), -p.z()},
+             {aim.x(), -aim.z()});
 }
 
 } // namespace tactum

@@ -44,6 +44,7 @@
 #include "ui/controllers/save_controller.h"
 #include "ui/controllers/section_controller.h"
 #include "ui/controllers/select_controller.h"
+#include "ui/controllers/self_test_controller.h"
 #include "ui/controllers/sound_controller.h"
 #include "ui/controllers/stage.h"
 #include "ui/controllers/study_controller.h"
@@ -217,6 +218,7 @@ void MainWindow::makeLive() {
     connect(link_, &DeviceLink::exchanged, trial_,
             &TrialController::end); // it was laid out for the other one
     devices_ = new DeviceController(bench_, *arming_, *link_, *hand_, *hint_, *folds_, *devicePanel_);
+    selfTest_ = new SelfTestController(bench_, *link_);
     health_ = new HealthController(bench_, *arming_, *guard_, *docks_.health, *docks_.inspector, *status_);
     connect(devices_, &DeviceController::adopted, health_, &HealthController::adoptDevice);
     connect(devices_, &DeviceController::handChosen, this, [this] {
@@ -333,6 +335,7 @@ void MainWindow::frame() {
     saver_->watch(); // before a fault switches the forces off
     health_->frame();
     devices_->frame();
+    selfTest_->frame();
     if (study_->running()) return study_->frame();
     room_->frame();
     if (playback_->active()) return playFrame();

@@ -31,6 +31,7 @@ class Comparison;
 class ConnectionBar;
 class DeviceCatalogue;
 class DeviceController;
+class SelfTestController;
 class DeviceLink;
 class EditNotice;
 class Folds;
@@ -185,6 +186,7 @@ private:
     StudyController* study_ = nullptr;
     TrialController* trial_ = nullptr;
     DeviceController* devices_ = nullptr;
+    SelfTestController* selfTest_ = nullptr;
     HealthController* health_ = nullptr;
     LayerController* layers_ = nullptr;
     CompareController* compare_ = nullptr;

@@ -1,6 +1,7 @@
 // A catalogue whose devices are plugged in, made ready and fail as the test wants it.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <map>
 #include <memory>
@@ -31,6 +32,7 @@ struct FakeDesk {
     std::atomic<std::uint32_t> buttons{0};
     std::atomic<double> x{0}, y{0}, z{0}; ///< where the handle is held, frame D, m
     std::atomic<double> force{0};         ///< N, of the last command
+    std::atomic<double> strongest{0};     ///< N, of all of them
 
     void place(double px, double py, double pz) {
         x = px;
@@ -72,6 +74,7 @@ public:
     }
     DeviceSample exchange(const DeviceCommand& command, double) noexcept override {
         desk_->force = command.force.norm();
+        desk_->strongest = std::max<double>(desk_->strongest, desk_->force);
         return {.position = {desk_->x, desk_->y, desk_->z},
                 .buttons = desk_->buttons,
                 .valid = desk_->plugged && !desk_->broken};

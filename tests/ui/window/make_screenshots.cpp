@@ -24,6 +24,7 @@
 #include "tests/ui/window/felt_pictures.h"
 #include "tests/ui/window/layer_pictures.h"
 #include "tests/ui/window/moving_picture.h"
+#include "tests/ui/window/self_test_pictures.h"
 #include "tests/ui/window/study_pictures.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
@@ -435,11 +436,11 @@ void takeShowing(const QDir& folder, const QString& sample, QSize size) {
 }
 
 // FOLDER [SCENE [WIDTHxHEIGHT
-// [start|felt|layers|paint|tasks|bodies|many|moving|connected|touch|device|devices|looks|showing]]]: with the
-// last word only the pictures of the start page, of what is felt, of layers, of painting, of presets and
-// problems, of what moves, or of a device; `touch`: what join_pictures.py makes a moving picture of;
-// `devices`: every page of its dock in both themes; `moving`: every scene in which bodies move; `looks`:
-// every scene at home.
+// [start|felt|layers|paint|tasks|bodies|many|moving|connected|touch|device|devices|self-test|looks|showing]]]:
+// with the last word only the pictures of the start page, of what is felt, of layers, of painting, of presets
+// and problems, of what moves, or of a device; `touch`: what join_pictures.py makes a moving picture of;
+// `devices`: every page of its dock in both themes, `self-test`: also light and in German; `moving`: every scene in which
+// bodies move; `looks`: every scene at home.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -466,6 +467,9 @@ int main(int argc, char** argv) {
     if (wanted("device") || only == "devices") takeDevicePictures(folder, sample, size, only == "devices");
     applyTheme(ThemeChoice::Dark);
     if (only == "devices" || only == "device") return 0;
+    if (wanted("self-test")) takeSelfTestPictures(folder, only == "self-test");
+    applyTheme(ThemeChoice::Dark);
+    if (only == "self-test") return 0;
     if (wanted("paint")) takePainting(folder, sample, size);
     if (only == "looks") {
         takeLooks(folder, scenes, size);

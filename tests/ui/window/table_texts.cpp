@@ -9,6 +9,7 @@
 #include "core/safety/inhibit_words.h"
 #include "core/scene/bodies.h"
 #include "core/scene/colliders.h"
+#include "core/self_test/words.h"
 #include "core/study/design.h"
 #include "core/surface/material.h"
 #include "core/surface/shading.h"
@@ -109,6 +110,8 @@ std::set<QString> tableTexts() {
     }
     addStudies(texts);
     for (const std::string_view words : kUrgencyWords)
+        texts.add(words);
+    for (const char* words : trial_words::kAll)
         texts.add(words);
     for (const BuiltIn& each : kBuiltIn) {
         texts.add(each.name);

@@ -5,10 +5,12 @@
 #include <QTreeWidget>
 
 #include "core/safety/force_gate.h"
+#include "device/profile.h"
 #include "device/registry.h"
 #include "tests/device/falcon/falcon_bench.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "tests/ui/window/self_test_desk.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/engine/device_link.h"
 
@@ -152,6 +154,30 @@ private slots:
         QVERIFY(!desk.bench.device->firstHadTorque());
         desk.arm();
         QVERIFY(desk.feels());
+    }
+
+    /// Its x is turned round: the window's self-test says so, and what it measured of the rest is the
+    /// device's from the next connection on.
+    void theSelfTestNamesWhatIsWrong() {
+        SelfTestDesk desk;
+        QVERIFY(desk.connectIt());
+        SelfTestPerson& person = desk.person;
+        person.open();
+        person.click("self-test-start");
+        QVERIFY(person.goThrough());
+        QVERIFY2(person.shown("self-test-verdict"), qPrintable(person.text("self-test-failure")));
+        COMPARE_CONTAINS(person.text("self-test-found"), QStringLiteral("x runs the other way"));
+        QCOMPARE(desk.bench.device->motors(), FalconLegs{});
+        person.click("self-test-keep");
+        QTRY_VERIFY_WITH_TIMEOUT(!person.text("self-test-told").isEmpty(), kPatience);
+        const auto kept = profileOf("falcon", desk.profiles.path().toStdString());
+        VERIFY_RESULT(kept);
+        const double before = profileOf("falcon", {})->info.damping;
+        QVERIFY2(kept->info.damping != before, qPrintable(person.text("self-test-found")));
+        person.click("self-test-close");
+        QVERIFY(desk.connectIt());
+        QCOMPARE(desk.program.engine.device().damping, kept->info.damping);
+        QVERIFY(!desk.program.engine.armed());
     }
 };
 
