@@ -155,6 +155,21 @@ private slots:
         QCOMPARE(desk->force.load(), 0.0);
     }
 
+    void theButtonThatEndsAllForceEndsItToo() {
+        Trials trials;
+        trials.desk.link().stop().buttons = 0b100;
+        trials.person.open();
+        trials.person.click("self-test-start");
+        QVERIFY(trials.person.goThrough([&] { return trials.desk.desk->force > 0.5; }));
+        trials.desk.desk->buttons = 0b100;
+        QTRY_VERIFY_WITH_TIMEOUT(trials.person.shown("self-test-failure"), kPatience);
+        COMPARE_CONTAINS(trials.person.text("self-test-failure"),
+                         QStringLiteral("was stopped by its own button"));
+        trials.desk.desk->buttons = 0;
+        trials.person.click("self-test-end");
+        QVERIFY(trials.backWithoutForce());
+    }
+
     /// What the person does not want to feel is not felt here either: four tenths of it at most.
     void itKeepsTheForceThatThePersonPrefers() {
         Preferences::instance().set(Preferred::LargestForce, 1);
