@@ -439,8 +439,8 @@ void takeShowing(const QDir& folder, const QString& sample, QSize size) {
 // [start|felt|layers|paint|tasks|bodies|many|moving|connected|touch|device|devices|self-test|looks|showing]]]:
 // with the last word only the pictures of the start page, of what is felt, of layers, of painting, of presets
 // and problems, of what moves, or of a device; `touch`: what join_pictures.py makes a moving picture of;
-// `devices`: every page of its dock in both themes, `self-test`: also light and in German; `moving`: every scene in which
-// bodies move; `looks`: every scene at home.
+// `devices`: every page of its dock in both themes, `self-test`: also light and in German; `moving`: every
+// scene in which bodies move; `looks`: every scene at home.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
