@@ -235,8 +235,14 @@ void declareWork(SceneClass& scene) {
 const Properties<Scene>& sceneProperties() {
     static const Properties<Scene> all = [] {
         Properties<Scene> made{number<Scene>(
-            kProxyRadius, [](const Scene& of) { return of.proxyRadius; },
-            [](Scene& of, double value) { of.proxyRadius = value; })};
+                                   kProxyRadius, [](const Scene& of) { return of.proxyRadius; },
+                                   [](Scene& of, double value) { of.proxyRadius = value; }),
+                               number<Scene>(
+                                   kShellRadius, [](const Scene& of) { return of.reach.shell; },
+                                   [](Scene& of, double value) { of.reach.shell = value; }),
+                               choice<Scene>("reach", "How hands reach beyond their device's workspace",
+                                             kReachChoices,
+                                             [](Scene& of) -> ReachMode& { return of.reach.mode; })};
         for (const WorldField& field : kWorldFields)
             made.push_back(number<Scene>(
                 *field.parameter, [&field](const Scene& of) { return of.mechanics.*field.value; },

@@ -1,6 +1,7 @@
 #include "core/files/journal.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <fstream>
@@ -26,9 +27,10 @@ namespace fs = std::filesystem;
 // the header and the JSON in one file, and the rest in blocks, each a file named by its fingerprint: an edit
 // of a number writes kilobytes, and the last block, where small pictures of a material for other programs
 // are. Who replaces the first file has changed the journal, so that is done last.
-constexpr std::string_view kMagic = "tactum journal 3\n";
-constexpr std::string_view kWithoutGroups = "tactum journal 2\n";  // whose steps are of another form
-constexpr std::string_view kWithoutHistory = "tactum journal 1\n"; // of an earlier version; as long
+constexpr std::string_view kMagic = "tactum journal 4\n";
+// Of earlier versions, as long: without steps, and with steps of another form.
+constexpr std::string_view kWithoutHistory = "tactum journal 1\n";
+constexpr std::array<std::string_view, 2> kOtherSteps{"tactum journal 2\n", "tactum journal 3\n"};
 constexpr const char *kNumbers = "journal", *kUnpacked = "scene.glb";
 constexpr std::string_view kShapes = "shapes-";
 constexpr std::size_t kBlock = std::size_t(4) << 20;
@@ -192,8 +194,9 @@ Result<Journal> readStamp(const fs::path& folder) {
     constexpr std::size_t kPrint = 64;
     const std::string_view all = *bytes;
     const bool isOld = all.starts_with(kWithoutHistory);
-    const bool hasNoGroups = all.starts_with(kWithoutGroups);
-    if (!(all.starts_with(kMagic) || hasNoGroups || isOld) || all.size() < kMagic.size() + kPrint)
+    const bool otherSteps =
+        std::ranges::any_of(kOtherSteps, [&](std::string_view magic) { return all.starts_with(magic); });
+    if (!(all.starts_with(kMagic) || otherSteps || isOld) || all.size() < kMagic.size() + kPrint)
         return damaged(folder, "it does not begin as one");
     const std::string_view rest = all.substr(kMagic.size() + kPrint);
     if (sha256(rest) != all.substr(kMagic.size(), kPrint)) return damaged(folder, "bytes have changed");
@@ -202,7 +205,7 @@ Result<Journal> readStamp(const fs::path& folder) {
         Journal journal;
         fields(in, journal);
         if (!isOld) in(journal.history);
-        if (hasNoGroups) journal.history.clear();
+        if (otherSteps) journal.history.clear();
         return journal;
     } catch (const ByteFault& fault) {
         return damaged(folder, fault.error.text);

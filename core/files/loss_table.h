@@ -120,6 +120,10 @@ inline const std::array kSceneRows{
                 return !of.bodies.empty() && (of.forceScale != 1 || of.timeScale != 1);
             },
             {kept(), kNoPhysics, kNoPhysics, kNoPhysics, kAtRest, kAtRest, kAtRest, kAtRest}},
+    LossRow{"how hands reach beyond their device's workspace",
+            [](const LossSubject& s) { return s.scene.reach != Reach{}; },
+            {kept(), lost("the format has no place for it"), kNoPhysics, kNoPhysics, kNoFeel, kNoFeel,
+             kNoFeel, kNoFeel}},
     LossRow{"proxy radius",
             always,
             {kept(), kept("in the file of the device"), kNoPhysics, kNoPhysics, kNoFeel, kNoFeel, kNoFeel,

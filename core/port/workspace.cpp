@@ -7,6 +7,10 @@
 
 namespace tactum {
 
+namespace {
+constexpr double kLongest = 0.01; ///< s: a loop that stood still stood still
+} // namespace
+
 Result<void> checkWorkspace(const Workspace& workspace) {
     if (!(workspace.scale >= kMinScale && workspace.scale <= kMaxScale))
         return inputError("The workspace's scale must be from 0.001 to 10000: choose another one.");
@@ -18,6 +22,8 @@ Result<void> checkWorkspace(const Workspace& workspace) {
         return inputError("Each axis of the device must be used once: choose another mapping of the axes.");
     if (!workspace.offset.allFinite())
         return inputError("The workspace's centre is no place: centre it anew.");
+    if (!(workspace.reach.shell >= kMinShell && workspace.reach.shell <= kMaxShell))
+        return inputError("The shell's radius must be from 5 to 500 mm: choose another one.");
     return {};
 }
 
@@ -30,6 +36,7 @@ bool WorkspaceTracker::obey() noexcept {
     frame_.scale = decision_.scale;
     frame_.axes = decision_.axes;
     workspace_ = decision_;
+    reach_.decide(workspace_.reach);
     return frame_ != before;
 }
 
@@ -37,21 +44,30 @@ bool WorkspaceTracker::obey() noexcept {
 void WorkspaceTracker::bump(const Vec3& position, double dt) noexcept {
     const double distance = position.norm(), border = kBumpFrom * radius_;
     if (!(distance > border)) return;
-    constexpr double kLongest = 0.01; // s: a loop that stood still stood still
-    dt = std::min(dt, kLongest);
     const double part = std::min(1.0, (distance - border) / (radius_ - border));
     frame_.offset += frame_.wayInWorld(kBumpSpeed * part * dt / distance * position);
 }
 
-const DeviceFrame& WorkspaceTracker::follow(const DeviceSample& sample, bool pushing, double dt) noexcept {
+void WorkspaceTracker::reach(const DeviceSample& sample, const AroundHand& around, double dt) noexcept {
+    if (!around.forces || clutched_ || sample.jumped || jumped_) return reach_.rest(sample.position);
+    const Vec3 way = reach_.way(sample.position, dt);
+    if (way.isZero(0)) return;
+    frame_.offset += wayAlong(frame_.wayInWorld(way), frame_.pointInWorld(sample.position),
+                              std::span(around.wall).first(around.walls));
+}
+
+const DeviceFrame& WorkspaceTracker::follow(const DeviceSample& sample, const AroundHand& around,
+                                            double dt) noexcept {
+    dt = std::min(dt, kLongest);
     jumped_ = false;
     if (!sample.valid || !sample.position.allFinite()) return frame_;
     jumped_ = obey();
     clutched_ = (sample.buttons & workspace_.clutch) != 0;
     if (clutched_ && known_ && !sample.jumped)
         frame_.offset -= frame_.wayInWorld(sample.position - last_);
-    else if (workspace_.bump && radius_ > 0 && !pushing)
+    else if (workspace_.bump && workspace_.reach.mode != ReachMode::Rate && radius_ > 0 && !around.pushing)
         bump(sample.position, dt);
+    reach(sample, around, dt);
     last_ = sample.position;
     known_ = true;
     return frame_;

@@ -4,19 +4,21 @@
 #include "core/base/result.h"
 #include "core/port/device_frame.h"
 #include "core/port/haptic_device.h"
+#include "core/port/reach_tracker.h"
 
 namespace tactum {
 
 /// Of Workspace::scale: from a watch under the finger to a city.
 inline constexpr double kMinScale = 1e-3, kMaxScale = 1e4;
 
-/// What the person decides; it belongs to the device and not to the scene.
+/// What the person decides; it belongs to the device and not to the scene, but for `reach`.
 struct Workspace {
     double scale = 1;           ///< as in DeviceFrame
     AxisMap axes = kSameAxes;   ///< as in DeviceFrame
     Vec3 offset = Vec3::Zero(); ///< world, m: where the device's centre is before clutch and bump move it
     std::uint32_t clutch = 0;   ///< buttons: while one is held the device moves and the finger stays
     bool bump = false;          ///< a finger at the edge of the workspace takes it along
+    Reach reach{};              ///< beyond the workspace; of the scene
     std::uint32_t centring = 0; ///< another number than before: what clutch and bump moved is forgotten
 
     bool operator==(const Workspace&) const = default;
@@ -32,8 +34,8 @@ inline constexpr double kBumpFrom = 0.85, kBumpSpeed = 0.1;
 /// Where the workspace is, tick by tick. Thread: real time.
 class WorkspaceTracker {
 public:
-    /// `radius` of the device's workspace, m; 0: not known, it never bumps.
-    explicit WorkspaceTracker(double radius) noexcept : radius_(radius) {}
+    explicit WorkspaceTracker(const DeviceInfo& device) noexcept
+        : radius_(device.workspaceRadius), reach_(device) {}
 
     /// Clutch and bump hold on to what they moved, unless offset or centring are new ones. Call it when there
     /// is a new decision, else not. It counts from the next reading that is valid.
@@ -41,19 +43,24 @@ public:
         decision_ = workspace;
         decided_ = true;
     }
-    /// The frame of this reading, which is not valid if it cannot be true (SampleCheck). `pushing`: the last
-    /// command was not zero; nothing is taken along then, or a wall would be pushed against a resting hand.
-    const DeviceFrame& follow(const DeviceSample& sample, bool pushing, double dt) noexcept;
+    /// The frame of this reading, which is not valid if it cannot be true (SampleCheck). A device that pushes
+    /// takes nothing along at its edge, or a wall would be pushed against a resting hand; rate control and
+    /// drift lead the finger along what it touches and never into it.
+    const DeviceFrame& follow(const DeviceSample& sample, const AroundHand& around, double dt) noexcept;
 
     bool clutched() const noexcept { return clutched_; } ///< in this reading
     /// The finger was put elsewhere by a decision since the last reading that was valid.
     bool jumped() const noexcept { return jumped_; }
+    /// As ReachTracker::border().
+    double border() const noexcept { return reach_.border(); }
 
 private:
     bool obey() noexcept;
     void bump(const Vec3& position, double dt) noexcept;
+    void reach(const DeviceSample& sample, const AroundHand& around, double dt) noexcept;
 
-    double radius_;
+    double radius_; ///< m, of the device's workspace; 0: not known, it never bumps
+    ReachTracker reach_;
     Workspace workspace_, decision_;
     bool decided_ = false; ///< and not yet obeyed
     DeviceFrame frame_;

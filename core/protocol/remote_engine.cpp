@@ -38,6 +38,8 @@ v1::Workspace written(const Workspace& workspace) {
     to.set_clutch(workspace.clutch);
     to.set_bump(workspace.bump);
     to.set_centring(workspace.centring);
+    to.set_reach(std::uint32_t(workspace.reach.mode));
+    to.set_shell(workspace.reach.shell);
     return to;
 }
 

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "TACTUMRC";
 /// Of one hand, and of several.
-constexpr std::uint32_t kVersion = 18, kVersionOfHands = 19;
+constexpr std::uint32_t kVersion = 20, kVersionOfHands = 21;
 /// Of each loop; a state is much larger in memory than it may be in the file.
 constexpr std::uint64_t kMaxStates = 2 * std::uint64_t(kRecorded / kStateEvery);
 constexpr std::size_t kStart = 16, kSeal = 8; ///< bytes before the header, and after everything

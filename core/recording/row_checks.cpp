@@ -55,7 +55,8 @@ const char* faultIn(const ProxyRow& row) {
 const char* faultIn(const ServoRow& row, std::uint64_t model, std::uint64_t models) {
     if (row.model < model || row.model > models) return "has a model that cannot be";
     const bool possible = (row.flags & ~std::uint32_t(ServoRow::kAllFlags)) == 0 && isFrame(row) &&
-                          isPlace(row.outside) && row.inhibit < kInhibitWords.size();
+                          isPlace(row.outside) && row.border >= 0 && isCoordinate(row.border) &&
+                          row.inhibit < kInhibitWords.size();
     return possible ? nullptr : "has a frame, a flag or a reason that cannot be";
 }
 

@@ -10,7 +10,7 @@ namespace tactum {
 namespace {
 
 /// Another one with every change of a member below: who reads an older one would misread it.
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kLongestSentence = 1000;
 
 // Each function names all members of its struct: one more there does not compile here until it has its line.
@@ -33,8 +33,9 @@ template <class Io> void bytes(Io& io, DeviceFrame& frame) {
 }
 
 template <class Io> void bytes(Io& io, Workspace& workspace) {
-    auto& [scale, axes, offset, clutch, bump, centring] = workspace;
+    auto& [scale, axes, offset, clutch, bump, reach, centring] = workspace;
     io(scale), bytes(io, axes), io(offset), io(clutch), io(bump), io(centring);
+    choose(io, reach.mode, kReachModes), io(reach.shell);
 }
 
 template <class Io> void bytes(Io& io, DeviceInfo& device) {
@@ -91,10 +92,11 @@ template <class Io> void bytes(Io& io, ProxyTelemetry& proxy) {
 }
 
 template <class Io> void bytes(Io& io, ServoTelemetry& servo) {
-    auto& [finger, force, handle, frame, buttons, ticks, rate, jitter, misses, machineMisses, periods,
+    auto& [finger, force, handle, frame, border, buttons, ticks, rate, jitter, misses, machineMisses, periods,
            clamped, invalid, inhibit, gain, faults, pauses, lastPause, oscillations, stiffnessScale, heat,
            energy, passivityDamping, rendered, grasped, doubted, ceiling] = servo;
-    io(finger), io(force), io(handle), bytes(io, frame), io(buttons), io(ticks), io(rate), io(jitter);
+    io(finger), io(force), io(handle), bytes(io, frame), io(border), io(buttons), io(ticks), io(rate),
+        io(jitter);
     io(misses), io(machineMisses);
     for (std::uint32_t& count : periods.count)
         io(count);

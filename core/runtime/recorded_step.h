@@ -77,6 +77,7 @@ struct ServoRow {
     double scale = 1;
     std::array<std::int8_t, 8> axes{1, 2, 3}; ///< the last five are zero
     Triple outside{};                         ///< ServoInput::outside_D
+    double border = 0;                        ///< ServoInput::border
     std::uint64_t model = 0; ///< how many rows of the proxy led to the model; 0: there was none
     double period = 0;       ///< ServoSettings::period
     std::uint32_t buttons = 0, deadMan = 0;
@@ -88,7 +89,7 @@ struct ServoRow {
     std::uint64_t faults = 0, oscillations = 0;
 };
 
-static_assert(sizeof(ProxyRow) == 168 && sizeof(ServoRow) == 216, "the layout of the file");
+static_assert(sizeof(ProxyRow) == 168 && sizeof(ServoRow) == 224, "the layout of the file");
 
 /// The step of the rows' inputs, one row of each hand. `first` holds what all
 /// hands share, too, `others` the second hand and so on; as many rows as hands, at most kMaxHands. `outputs`:
@@ -133,7 +134,8 @@ inline ServoOutput stepFrom(const ServoRow& row, ServoState& state, const LocalC
                       .fresh = is(ServoRow::Fresh),
                       .unguarded = is(ServoRow::Unguarded),
                       .clutched = is(ServoRow::Clutched),
-                      .outside_D = vectorOf(row.outside)},
+                      .outside_D = vectorOf(row.outside),
+                      .border = row.border},
                      model);
 }
 

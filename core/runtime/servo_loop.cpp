@@ -7,6 +7,7 @@
 #include "core/base/realtime.h"
 #include "core/port/reading_clock.h"
 #include "core/runtime/latency_monitor.h"
+#include "core/safety/model_in_device.h"
 
 namespace tactum {
 namespace {
@@ -14,13 +15,13 @@ namespace {
 /// What the servo remembers from tick to tick.
 struct Servo {
     Servo(HandChannels& theChannels, const DeviceInfo& device) noexcept
-        : channels(theChannels), state(device), workspace(device.workspaceRadius) {}
+        : channels(theChannels), state(device), workspace(device) {}
 
     HandChannels& channels;
     ServoState state;
     WorkspaceTracker workspace;
     ReadingClock readings;
-    bool pushing = false; ///< the last command was not zero
+    AroundHand around; ///< of the last tick
     HalfSecond jitter;
     RecentPeriods periods;
     WatchdogCheck watchdogCheck;
@@ -45,6 +46,7 @@ ServoRow rowOf(const Servo& servo, const DeviceSample& sample, double apart, con
             .scale = frame.scale,
             .axes = {frame.axes[0], frame.axes[1], frame.axes[2]},
             .outside = tripleOf(frame.turnedBack(wantedOf(channels.outside.value(), monotonicNanoseconds()))),
+            .border = servo.workspace.border(),
             .model = channels.contactModel.value().steps,
             .period = servo.period,
             .buttons = sample.buttons,
@@ -68,14 +70,16 @@ ServoOutput stepServo(Servo& servo, const DeviceSample& sample, const Tick& tick
     const double apart = servo.readings(sample, tick.elapsed, monotonicNanoseconds());
     DeviceSample credible = sample;
     credible.valid = servo.state.check.believes(sample, apart);
-    const DeviceFrame& frame = servo.workspace.follow(credible, servo.pushing, tick.elapsed);
+    lookAround(servo.around, servo.channels.contactModel.value().model);
+    const DeviceFrame& frame = servo.workspace.follow(credible, servo.around, tick.elapsed);
     ServoRow row = rowOf(servo, sample, apart, frame, tick, fresh);
     Recorder& recorder = servo.channels.recorder;
     recorder.begin(row, servo.state);
     const ServoOutput output = stepFrom(row, servo.state, servo.channels.contactModel.value().model);
     note(row, output, servo.state);
     recorder.end(row);
-    servo.pushing = !output.force.isZero(0);
+    servo.around.pushing = !output.force.isZero(0);
+    servo.around.forces = servo.state.gate.gain() > 0;
     return output;
 }
 

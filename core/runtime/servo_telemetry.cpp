@@ -20,6 +20,7 @@ void note(ServoTelemetry& telemetry, const ServoOutput& output, const ServoState
     telemetry.handle_D = state.check.believed().position;
     telemetry.buttons = state.check.believed().buttons;
     telemetry.frame = output.frame;
+    telemetry.border = output.border;
     telemetry.ticks = state.ticks;
     telemetry.clamped = state.limiter.clamped;
     telemetry.invalidSamples = state.check.refused();

@@ -11,6 +11,7 @@ struct ServoTelemetry {
     Vec3 force = Vec3::Zero();    ///< N, after the limiter: what the device was sent, in the world's frame
     Vec3 handle_D = Vec3::Zero(); ///< m: where the device is
     DeviceFrame frame;            ///< of the device in the scene, as clutch and bump have moved it
+    double border = 0;            ///< m about the device's centre, where rate control begins; 0: nowhere
     std::uint32_t buttons = 0;    ///< that are held
     std::uint64_t ticks = 0;
     double rate = 0;                 ///< Hz, over the last half second

@@ -87,7 +87,8 @@ void fields(auto& visit, MaybeConst<Previous> auto& previous) {
 }
 void fields(auto& visit, MaybeConst<ServoState> auto& state) {
     visit(state.check, state.schedule, state.transition, state.gate, state.passivity, state.damper,
-          state.heat, state.limiter, state.previous, state.ticks, state.unread, state.modelAge, state.letGo);
+          state.border, state.heat, state.limiter, state.previous, state.ticks, state.unread, state.modelAge,
+          state.letGo);
 }
 
 namespace {
@@ -97,8 +98,8 @@ namespace {
 #if EIGEN_MAX_STATIC_ALIGN_BYTES == 16
 static_assert(sizeof(ForceGate) == 48 && sizeof(ContactTransition) == 416 && sizeof(Passivity) == 704);
 static_assert(sizeof(OscillationDetector) == 192 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 672);
-static_assert(sizeof(LoopFigures) == 72 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2448);
-static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152);
+static_assert(sizeof(LoopFigures) == 72 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2720);
+static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152 && sizeof(BorderSpring) == 272);
 static_assert(sizeof(ProxyState) == 7488 + sizeof(ProxyState::memories));
 static_assert(sizeof(BodiesState) == 16 * kMaxCoordinates + 16 && sizeof(FingerPress) == 72);
 static_assert(sizeof(HandState) == 384 + sizeof(ProxyState));

@@ -15,4 +15,13 @@ LocalContactModel inDevice(const LocalContactModel& model_W, const DeviceFrame& 
     return model;
 }
 
+void lookAround(AroundHand& around, const LocalContactModel& model_W) noexcept {
+    static_assert(kMaxModelPlanes <= int(kMaxWalls));
+    around.walls = model_W.valid ? std::size_t(model_W.planes) : 0;
+    for (std::size_t i = 0; i < around.walls; ++i) {
+        const ConstraintPlane& plane = model_W.plane[i];
+        around.wall[i] = {plane.normal, plane.offset + plane.normal.dot(model_W.proxy)};
+    }
+}
+
 } // namespace tactum

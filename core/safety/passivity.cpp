@@ -13,17 +13,13 @@ constexpr double kCredit = 0.75;
 constexpr double kMaxDamping = 8; ///< N s/m; more would shake a light device at 1 kHz itself
 constexpr double kAtRest = 1e-3;  ///< m/s; a finger at rest takes no energy out
 constexpr double kRest = 0.01;    ///< s; at the turn of a swing it is shorter
+} // namespace
 
-/// From a command to its force. The amplifier's time constant answers a ramp by just so much later, so it is
-/// a delay like the other: left out, what is given at each turn of a swing is not seen, and what nobody holds
-/// swings for ever. Rounded up, because it is the delay that is taken too short that hides a swing. Unit:
-/// ticks.
 int ticksUntilFelt(const DeviceInfo& device, int most) noexcept {
     constexpr double kRounding = 1e-6; // 0.0005 s at 2000 Hz are one tick and not two
     const double late = device.delay + device.amplifierLag * device.rate;
     return int(std::ceil(std::max(0.0, std::min(double(most), late)) - kRounding));
 }
-} // namespace
 
 double RenderedSpring::stored() const noexcept {
     const double rendered = stiffness * stretch > limit ? limit / stiffness : stretch;

@@ -15,6 +15,12 @@ inline constexpr double kPassivityThreshold = 1e-3;
 /// the stiffness, and so does this in a grasp. Unit: J.
 inline constexpr double kSofteningThreshold = 3e-3;
 
+/// From a command to its force, at most `most`. The amplifier's time constant answers a ramp by just so much
+/// later, so it is a delay like the other: left out, what is given at each turn of a swing is not seen, and
+/// what nobody holds swings for ever. Rounded up, because it is the delay that is taken too short that hides
+/// a swing. Unit: ticks.
+int ticksUntilFelt(const DeviceInfo& device, int most) noexcept;
+
 /// What is rendered at one tick. SI, one frame throughout.
 struct RenderedSpring {
     Vec3 force = Vec3::Zero(); ///< N, on the finger, with all that is added to the spring

@@ -142,6 +142,20 @@ double suddenOf(const ServoState& state, const Previous& previous, const Contact
                          .speed = contact.sliding.norm()});
 }
 
+/// Of stage 9: N, of the border, as much of it as `force`, which comes first, leaves of the device's limit.
+Vec3 borderOf(ServoState& state, const ServoInput& input, const Vec3& finger, const Vec3& force,
+              double dt) noexcept {
+    const double limit = state.limiter.maxForce;
+    Vec3 border = state.gate.gain() * state.border(finger, input.border, limit, dt);
+    if (const double b2 = border.squaredNorm(); b2 > 0 && (force + border).norm() > limit) {
+        const double half = force.dot(border), room = std::max(0.0, limit * limit - force.squaredNorm());
+        border *= std::clamp((std::sqrt(half * half + b2 * room) - half) / b2, 0.0, 1.0);
+    }
+    if (!border.allFinite()) border.setZero();
+    state.border.commanded(border);
+    return border;
+}
+
 /// What the hand gets of what the finger pushes with, in the world's measure. With the forces off nobody
 /// feels it: then the finger is a pointer that pushes as the surface would.
 Coupling couplingOf(const ServoState& state, const ServoSettings& settings, const ServoInput& input,
@@ -170,7 +184,7 @@ FingerSample inWorld(const ServoState& state, const ServoInput& input, const Cou
 } // namespace
 
 ServoState::ServoState(const DeviceInfo& device) noexcept
-    : check(device), schedule(device), gate(device.tripSpeed), passivity(device),
+    : check(device), schedule(device), gate(device.tripSpeed), passivity(device), border(device),
       heat(device.maxForce, device.continuousForce), limiter{device.maxForce} {}
 
 ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const ServoInput& input,
@@ -209,7 +223,8 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
     }
 
     // 9     Limit: finite, and at most what the motors bear now.                                        T12
-    const Vec3 force = state.limiter(spring.force + state.gate.gain() * outside);
+    Vec3 force = state.limiter(spring.force + state.gate.gain() * outside);
+    force += borderOf(state, input, seen.position, force, dt);
     spring.force = state.limiter(spring.force);
     state.heat.add(force.norm(), dt);
     state.passivity.commanded(spring);
@@ -220,7 +235,8 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
                       .gain = state.gate.gain(),
                       .load = contact.model.stiffness * contact.stretch(seen.position),
                       .touching = contact.anchor.touching};
-    return {force, inWorld(state, input, couplingOf(state, settings, input, bounds, dt)), input.frame};
+    return {force, inWorld(state, input, couplingOf(state, settings, input, bounds, dt)), input.frame,
+            input.border};
 }
 
 } // namespace tactum

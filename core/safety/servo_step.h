@@ -7,6 +7,7 @@
 #include "core/port/force_limiter.h"
 #include "core/port/haptic_device.h"
 #include "core/safety/added_damping.h"
+#include "core/safety/border_spring.h"
 #include "core/safety/contact_transition.h"
 #include "core/safety/force_gate.h"
 #include "core/safety/motor_heat.h"
@@ -47,6 +48,7 @@ struct ServoInput {
     bool unguarded = false;        ///< nobody would stop the device if the program died
     bool clutched = false;         ///< the device moves and the finger stays: `frame` sees to that
     Vec3 outside_D = Vec3::Zero(); ///< N, that somebody else wants added to the force: see OutsideForce
+    double border = 0;             ///< m about the device's centre, where rate control begins; 0: nowhere
 };
 
 /// What one tick leaves to the next, beside what each stage remembers itself. Frame D, SI.
@@ -70,6 +72,7 @@ struct ServoState {
     ForceGate gate;
     Passivity passivity;
     AddedDamping damper;
+    BorderSpring border;
     MotorHeat heat;
     ForceLimiter limiter;
 
@@ -84,12 +87,14 @@ struct ServoOutput {
     Vec3 force = Vec3::Zero(); ///< N, frame D: finite, and never above the device's limit
     FingerSample finger;       ///< for the proxy loop
     DeviceFrame frame;         ///< of the input
+    double border = 0;         ///< of the input
 };
 
 /// Nine stages, in the order of trust: what is last cannot be overruled. All of it happens in the hand's
 /// measure, frame D, so that no scale of the workspace changes what a hand or a device can bear; `model_W`
-/// and the finger that comes out are the world's. docs/stability.md has each stage's reason, bound and test.
-/// Deterministic. Thread: real time; bounded: nearestPoint() a dozen times.
+/// and the finger that comes out are the world's. The border of rate control gets what room the rest leaves.
+/// docs/stability.md has each stage's reason, bound and test. Deterministic. Thread: real time; bounded:
+/// nearestPoint() a dozen times.
 ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const ServoInput& input,
                       const LocalContactModel& model_W) noexcept;
 

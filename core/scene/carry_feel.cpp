@@ -89,6 +89,7 @@ public:
         carryGroups(onto);
         sayWhatIsLeft(onto);
         onto.proxyRadius = from_.proxyRadius;
+        onto.reach = from_.reach;
         if (!onto.finger) onto.finger = from_.finger;
         for (SavedCamera camera : from_.cameras) {
             camera.kept = camera.keptCamera = {}; // of another file

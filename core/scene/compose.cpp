@@ -165,6 +165,7 @@ std::vector<ObjectId> addScene(Scene& scene, Scene other, ObjectId above) {
                moves = !other.mechanics.bodies.empty();
     if (first) {
         scene.proxyRadius = other.proxyRadius;
+        scene.reach = other.reach;
         forgetKept(scene); // of cameras that were there already
         scene.kept = other.kept;
         for (const SavedCamera& camera : other.cameras)

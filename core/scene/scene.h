@@ -1,11 +1,13 @@
 // The author's scene: plain values with ==, edited on the ui thread, compiled into a World for the loops.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "core/base/reach.h"
 #include "core/base/vec.h"
 #include "core/dynamics/mechanics.h"
 #include "core/geometry/sides.h"
@@ -31,6 +33,22 @@ inline constexpr Parameter kProxyRadius{"proxy-radius",
                                         5,
                                         "Radius of the sphere that stands for the finger; larger than any "
                                         "gap it must not fall into (section 2)."};
+
+/// In the order of ReachMode.
+inline constexpr std::array<NamedChoice, kReachModes> kReachChoices{
+    {{"position", "Position"}, {"rate", "Rate control beyond the shell"}, {"drift", "Drift"}}};
+
+inline constexpr Parameter kShellRadius{
+    "shell-radius",
+    "Shell",
+    "m",
+    kMinShell,
+    kMaxShell,
+    1e-3,
+    kUsualShell,
+    4,
+    "Radius about the device's centre within which the finger follows the hand. Beyond it a spring pulls the "
+    "hand back, and the workspace goes where the hand pulls, the faster the farther."};
 
 /// A part of an object with one feel: a group or material of the file.
 struct Surface {
@@ -79,6 +97,7 @@ struct Scene {
     std::vector<SceneObject> objects;
     Mechanics mechanics;                       ///< what moves by forces
     double proxyRadius = kProxyRadius.initial; ///< m
+    Reach reach;                               ///< of hands beyond their device's workspace
     /// A stroke that shows what there is to feel; null: none was given. Shared and immutable.
     std::shared_ptr<const std::vector<FingerPoint>> finger;
     std::vector<SavedCamera> cameras; ///< to look from, in the author's order, each name once; never felt

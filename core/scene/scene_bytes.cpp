@@ -151,8 +151,9 @@ template <class Io> void cameraBytes(Io& io, SavedCamera& camera) {
 }
 
 template <class Io> void sceneBytes(Io& io, Scene& scene, SceneTables& tables) {
-    auto& [objects, mechanics, proxyRadius, finger, cameras, kept] = scene;
+    auto& [objects, mechanics, proxyRadius, reach, finger, cameras, kept] = scene;
     io(proxyRadius);
+    choose(io, reach.mode, kReachModes), io(reach.shell);
     mechanicsWithNames(io, mechanics);
     sharedBytes(io, finger, [&](std::vector<FingerPoint>& points) {
         io.count(points, 32);

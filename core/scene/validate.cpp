@@ -20,6 +20,7 @@ public:
 
     std::vector<Finding> run() {
         checkParameter(findings_, "", "", kProxyRadius, scene_.proxyRadius);
+        checkParameter(findings_, "", "", kShellRadius, scene_.reach.shell);
         if (!scene_.mechanics.bodies.empty())
             for (const WorldField& field : kWorldFields)
                 checkParameter(findings_, "", "", *field.parameter, scene_.mechanics.*field.value);

@@ -1964,6 +1964,10 @@
             <translation>Unter die Ebene, auf der sie liegt</translation>
         </message>
         <message>
+            <source>Beyond the shell: the workspace moves.</source>
+            <translation>Außerhalb der Schale: Der Arbeitsraum bewegt sich.</translation>
+        </message>
+        <message>
             <source>Blend</source>
             <translation>Mischen</translation>
         </message>
@@ -2490,6 +2494,10 @@
         <message>
             <source>Draws the height layers ten times as high</source>
             <translation>Zeichnet die Höhenebenen zehnmal so hoch</translation>
+        </message>
+        <message>
+            <source>Drift</source>
+            <translation>Drift</translation>
         </message>
         <message>
             <source>Drop a picture on a surface of the model, or on the Layers panel for the selected surfaces.</source>
@@ -3197,6 +3205,10 @@
         <message>
             <source>Honey</source>
             <translation>Honig</translation>
+        </message>
+        <message>
+            <source>How a hand reaches beyond the device's workspace: not at all, by pulling beyond a border that is felt, or by a drift too slow to be noticed. It belongs to the scene and is for every hand.</source>
+            <translation>Wie eine Hand über den Arbeitsraum des Geräts hinausreicht: gar nicht, indem sie über eine Grenze hinaus zieht, die zu fühlen ist, oder durch eine Drift, die zu langsam ist, um bemerkt zu werden. Es gehört zur Szene und gilt für jede Hand.</translation>
         </message>
         <message>
             <source>How far a drag turns the camera: 1 is half a turn for the shorter side of the view.</source>
@@ -4695,6 +4707,10 @@
             <translation>Aufnahme abspielen oder anhalten</translation>
         </message>
         <message>
+            <source>Position</source>
+            <translation>Position</translation>
+        </message>
+        <message>
             <source>Pre&amp;vious panel</source>
             <translation>Vor&amp;iger Bereich</translation>
         </message>
@@ -4811,6 +4827,10 @@ text | Wie war es?</translation>
             <translation>Radius</translation>
         </message>
         <message>
+            <source>Radius about the device's centre within which the finger follows the hand. Beyond it a spring pulls the hand back, and the workspace goes where the hand pulls, the faster the farther.</source>
+            <translation>Radius um die Mitte des Geräts, in dem der Finger der Hand folgt. Außerhalb zieht eine Feder die Hand zurück, und der Arbeitsraum geht dahin, wohin die Hand zieht, umso schneller, je weiter.</translation>
+        </message>
+        <message>
             <source>Radius of the cylinder or sphere on which the size of the pattern is true.</source>
             <translation>Radius des Zylinders oder der Kugel, auf denen die Größe des Musters stimmt.</translation>
         </message>
@@ -4825,6 +4845,10 @@ text | Wie war es?</translation>
         <message>
             <source>Rate</source>
             <translation>Rate</translation>
+        </message>
+        <message>
+            <source>Rate control beyond the shell</source>
+            <translation>Geschwindigkeitssteuerung außerhalb der Schale</translation>
         </message>
         <message>
             <source>Rates</source>
@@ -4857,6 +4881,14 @@ text | Wie war es?</translation>
         <message>
             <source>Re-centre</source>
             <translation>Neu zentrieren</translation>
+        </message>
+        <message>
+            <source>Reach</source>
+            <translation>Reichweite</translation>
+        </message>
+        <message>
+            <source>Reach of the hand</source>
+            <translation>Reichweite der Hand</translation>
         </message>
         <message>
             <source>Reading the picture</source>
@@ -5435,6 +5467,10 @@ der Grenze rendern</translation>
         <message>
             <source>Shapes that another program has changed, with the feel that this scene has</source>
             <translation>Formen, die ein anderes Programm geändert hat, mit der Haptik, die diese Szene hat</translation>
+        </message>
+        <message>
+            <source>Shell</source>
+            <translation>Schale</translation>
         </message>
         <message>
             <source>Shoe on ice</source>

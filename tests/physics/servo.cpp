@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/runtime/proxy_loop.h"
+#include "core/safety/model_in_device.h"
 
 namespace tactum::test {
 
@@ -46,14 +47,25 @@ bool Proxy::answer(const FingerSample& finger, double dt, LocalContactModel& mod
     return fresh;
 }
 
+DeviceFrame Servo::frameOf(const DeviceSample& sample, double dt) {
+    if (!workspace_) return {};
+    around_.forces = state.gate.gain() > 0;
+    lookAround(around_, model);
+    return workspace_->follow(sample, around_, dt);
+}
+
 Vec3 Servo::operator()(const DeviceSample& sample, double dt) {
+    const DeviceFrame frame = frameOf(sample, dt);
     output = servoStep(state, settings,
                        {.sample = sample,
+                        .frame = frame,
                         .dt = dt,
                         .apart = readings_(sample, dt, 0),
                         .late = dt > 2 * period_,
-                        .fresh = fresh_},
+                        .fresh = fresh_,
+                        .border = workspace_ ? workspace_->border() : 0},
                        model);
+    around_.pushing = !output.force.isZero(0);
     fresh_ = surroundings_.answer(output.finger, dt, model);
     return output.force;
 }

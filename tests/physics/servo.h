@@ -3,9 +3,11 @@
 
 #include <deque>
 #include <memory>
+#include <optional>
 
 #include "core/haptics/haptic_step.h"
 #include "core/port/reading_clock.h"
+#include "core/port/workspace.h"
 #include "core/safety/servo_step.h"
 #include "tests/physics/closed_loop.h"
 
@@ -67,7 +69,7 @@ private:
 class Servo {
 public:
     Servo(const DeviceInfo& info, Surroundings& surroundings)
-        : state(info), surroundings_(surroundings), period_(1 / info.rate) {
+        : state(info), info_(info), surroundings_(surroundings), period_(1 / info.rate) {
         settings.armed = true;
     }
 
@@ -77,12 +79,23 @@ public:
         return [this](const DeviceSample& sample, double dt) { return (*this)(sample, dt); };
     }
 
+    /// Lays the device's workspace into the scene, and moves it along.
+    void lay(const Workspace& workspace) {
+        workspace_.emplace(info_);
+        workspace_->decide(workspace);
+    }
+
     ServoState state;
     ServoSettings settings;
     ServoOutput output;
     LocalContactModel model; ///< newest answer
 
 private:
+    DeviceFrame frameOf(const DeviceSample& sample, double dt);
+
+    DeviceInfo info_;
+    std::optional<WorkspaceTracker> workspace_; ///< none: the device's frame is the world's
+    AroundHand around_;
     Surroundings& surroundings_;
     double period_;
     bool fresh_ = false;

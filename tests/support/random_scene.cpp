@@ -40,6 +40,7 @@ std::string difference(const Scene& a, const Scene& b) {
         return x == y;
     };
     if (a.proxyRadius != b.proxyRadius) return "proxy radius";
+    if (a.reach != b.reach) return "reach";
     if (bool(a.finger) != bool(b.finger) || (a.finger && *a.finger != *b.finger)) return "finger path";
     if (const std::string found = difference(a.mechanics, b.mechanics); !found.empty()) return found;
     if (a.cameras != b.cameras) return "cameras";

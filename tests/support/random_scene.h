@@ -19,6 +19,7 @@ public:
     Scene scene() {
         Scene scene;
         scene.proxyRadius = within(kProxyRadius);
+        scene.reach = {choice<ReachMode>(kReachModes), within(kShellRadius)};
         if (chance(2)) {
             std::vector<FingerPoint> finger;
             for (int i = 0; i < 5; ++i)

@@ -169,6 +169,9 @@ void DeviceController::connectLive() {
 void DeviceController::connectWorkspace() {
     WorkspaceFields& workspace = panel_.workspace();
     connect(&workspace, &WorkspaceFields::edited, this, &DeviceController::setWorkspace);
+    connect(&workspace, &WorkspaceFields::reachChosen, &bench_.document, &Document::setReach);
+    connect(&bench_.document, &Document::changed, this, &DeviceController::applyReach);
+    workspace.showReach(bench_.document.scene().reach);
     connect(&workspace, &WorkspaceFields::centrePressed, this, [this] { centreWorkspace(false); });
     connect(&workspace, &WorkspaceFields::fitPressed, this, [this] { centreWorkspace(true); });
     connect(&workspace, &WorkspaceFields::captureBegun, &arming_, &Arming::switchOff);
@@ -199,11 +202,25 @@ void DeviceController::adopt() {
 // history: the same scene is felt with other devices, and undoing an edit must not move somebody's hand.
 void DeviceController::apply(std::size_t hand, const DeviceSettings& settings) {
     settings_[hand] = settings;
-    if (const auto possible = link_.hands().setWorkspace(hand, settings.workspace); !possible)
+    settings_[hand].workspace.reach = link_.leadsItself(hand) ? bench_.document.scene().reach : Reach{};
+    if (const auto possible = link_.hands().setWorkspace(hand, settings_[hand].workspace); !possible)
         bench_.notice.showError(QString::fromStdString(possible.error().text));
     link_.stop(hand).buttons = settings.stopButton;
     link_.hands().setGrasped(hand, settings.grasped);
     if (link_.leadsItself(hand)) rememberSettings(link_.idOf(hand), settings);
+}
+
+/// How hands reach is of the scene, and undone with it: it moves nobody's hand by itself.
+void DeviceController::applyReach() {
+    panel_.workspace().showReach(bench_.document.scene().reach);
+    bool other = false;
+    for (std::size_t hand = 0; hand < settings_.size() && hand < link_.hands().count(); ++hand) {
+        if (!link_.leadsItself(hand) || settings_[hand].workspace.reach == bench_.document.scene().reach)
+            continue;
+        apply(hand, DeviceSettings(settings_[hand]));
+        other = true;
+    }
+    if (other) showSettings();
 }
 
 const DeviceSettings& DeviceController::settings() const {

@@ -58,6 +58,7 @@ private:
     const DeviceSettings& settings() const;
     void setSettings(const DeviceSettings& settings);
     void apply(std::size_t hand, const DeviceSettings& settings);
+    void applyReach();
     void showSettings();
     void setWorkspace(const Workspace& workspace);
     void centreWorkspace(bool fit);

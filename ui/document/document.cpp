@@ -350,6 +350,13 @@ void Document::setProxyRadius(double metres, Gesture gesture) {
         {SceneChange::What::ProxyRadius}, gesture);
 }
 
+void Document::setReach(Reach reach, Gesture gesture) {
+    reach.shell = kShellRadius.clamped(reach.shell);
+    edit<Reach>(
+        tr("Reach of the hand"), [](Scene& scene) { return &scene.reach; }, reach, {SceneChange::What::Names},
+        gesture);
+}
+
 void Document::editObjects(const QString& text, SceneChange change,
                            const std::function<void(SceneObject&)>& each) {
     auto objects = scene_.objects;

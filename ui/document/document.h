@@ -30,7 +30,7 @@ struct SceneChange {
         Everything, ///< another scene
         Objects,    ///< objects came, went, appeared, disappeared or got another mesh
         Surfaces,   ///< surfaces appeared or disappeared, or triangles went to others
-        Names,      ///< or locks: nothing that is felt or drawn
+        Names,      ///< or locks, or how hands reach: nothing that is compiled or drawn
         Material,   ///< of `surface`
         Shading,    ///< of `surface`: its normals may have to be computed
         Sides,      ///< of `surface`
@@ -179,6 +179,7 @@ public:
     /// Shows these surfaces and hides all others.
     void isolate(const SurfaceRefs& refs);
     void setProxyRadius(double metres, Gesture gesture = 0);
+    void setReach(Reach reach, Gesture gesture = 0);
     void renameObject(ObjectId id, const QString& name);
     void renameSurface(SurfaceRef ref, const QString& name);
     void setVisible(ObjectId id, bool visible);

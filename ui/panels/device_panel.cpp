@@ -100,7 +100,7 @@ void DevicePanel::showPage(Page page) {
 }
 
 void DevicePanel::display(const Engine& engine, const QString& remedy) {
-    workspace_->follow(engine.servo().handle_D);
+    workspace_->follow(engine.servo().handle_D, engine.servo().border);
     if (visibleRegion().isEmpty()) return; // behind another tab, for instance
     showState(engine, remedy);
     hands_->display();

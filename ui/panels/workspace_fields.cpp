@@ -44,12 +44,16 @@ WorkspaceFields::WorkspaceFields(QWidget* parent)
     : QWidget(parent), hint_(new QLabel(tr("A simulated hand has no workspace to lay: the mouse leads it in "
                                            "the scene itself. Connect a device."))),
       fields_(new QWidget), scale_(new ParameterField(kWorkspaceScale)),
+      reach_(new ChoiceBox("workspace-reach", tr("Reach"), kReachChoices)),
+      shell_(new ParameterField(kShellRadius)),
+      beyond_(new QLabel(tr("Beyond the shell: the workspace moves."))),
       clutch_(new ChoiceBox("workspace-clutch", tr("Clutch"), {})),
       bump_(new QCheckBox(tr("Take the workspace along at its edge"))) {
     hint_->setProperty("dimmed", true);
     hint_->setWordWrap(true);
     columnIn(this, kRhythm)->addWidget(hint_);
     layout()->addWidget(fields_);
+    layout()->addWidget(makeReach()); // of the scene: also for who has no device here
     static_cast<QVBoxLayout*>(layout())->addStretch();
     auto* column = columnIn(fields_, kRhythm);
     column->addWidget(scale_);
@@ -142,6 +146,42 @@ QWidget* WorkspaceFields::makeCapture() {
     return section;
 }
 
+QWidget* WorkspaceFields::makeReach() {
+    reach_->setToolTip(
+        tr("How a hand reaches beyond the device's workspace: not at all, by pulling beyond a "
+           "border that is felt, or by a drift too slow to be noticed. It belongs to the scene "
+           "and is for every hand."));
+    beyond_->setObjectName(QStringLiteral("workspace-beyond"));
+    beyond_->setProperty("limit", true);
+    beyond_->setWordWrap(true);
+    beyond_->hide();
+    auto* section = new QWidget;
+    auto* column = columnIn(section, kRhythm / 2);
+    auto* row = new QHBoxLayout;
+    auto* label = new QLabel(tr("Reach"));
+    label->setBuddy(reach_);
+    row->addWidget(label);
+    row->addWidget(reach_, 1);
+    column->addLayout(row);
+    column->addWidget(shell_);
+    column->addWidget(beyond_);
+    connect(reach_, &QComboBox::activated, this, [this](int chosen) {
+        emit reachChosen({ReachMode(chosen), sceneReach_.shell}, 0);
+    });
+    connect(shell_, &ParameterField::edited, this, [this](double value, Gesture gesture) {
+        emit reachChosen({sceneReach_.mode, value}, gesture);
+    });
+    return section;
+}
+
+void WorkspaceFields::showReach(const Reach& reach) {
+    sceneReach_ = reach;
+    const QSignalBlocker quiet(reach_);
+    reach_->setCurrentIndex(int(reach.mode));
+    shell_->setValue(reach.shell);
+    shell_->setVisible(reach.mode == ReachMode::Rate);
+}
+
 void WorkspaceFields::set(const Workspace& workspace) {
     workspace_ = workspace;
     emit edited(workspace);
@@ -189,7 +229,8 @@ void WorkspaceFields::endCapture() {
     showCapture();
 }
 
-void WorkspaceFields::follow(const Vec3& handle) {
+void WorkspaceFields::follow(const Vec3& handle, double border) {
+    beyond_->setVisible(possible_ && border > 0 && handle.norm() > border);
     if (!capture_) return;
     if (!capture_->add(handle)) {
         taskBar_->setValue(int(100 * capture_->progress()));

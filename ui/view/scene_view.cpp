@@ -120,6 +120,9 @@ Bounds SceneView::Impl::shown() const {
             about.add(p - reach);
             about.add(p + reach);
         }
+        if (!(state.shell > 0)) return;
+        about.add(state.centre - Vec3::Constant(state.shell));
+        about.add(state.centre + Vec3::Constant(state.shell));
     };
     addTouch(*touch);
     for (const Beside& other : beside)

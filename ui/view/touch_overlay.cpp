@@ -16,6 +16,7 @@
 #include <vtkTubeFilter.h>
 
 #include "ui/base/hand_colours.h"
+#include "ui/view/shell_bubble.h"
 #include "ui/view/touch_shape.h"
 
 namespace tactum {
@@ -108,6 +109,9 @@ TouchState touchState(const TouchTelemetry& touch, const ServoTelemetry& servo, 
     state.force = armed && servo.ticks > 0 ? servo.force : touch.output.force;
     state.forceLimit = forceLimit > 0 ? forceLimit : 1;
     state.armed = armed;
+    state.centre = servo.frame.offset;
+    state.shell = servo.frame.scale * servo.border;
+    state.beyond = servo.border > 0 && servo.handle_D.norm() > servo.border;
     state.contacts = std::clamp(touch.output.contacts, 0, kMaxModelPlanes);
     state.contact = touch.output.contact;
     return state;
@@ -117,8 +121,9 @@ bool TouchState::looksLike(const TouchState& other, double length) const {
     constexpr double kForce = 5e-3; // N, half of the last digit that is written; less of small forces, which
                                     // turn by as much
     constexpr double kTilt = 2e-3;  // rad, a tenth of a pixel at the tip of a normal
-    if (contacts != other.contacts || armed != other.armed || forceLimit != other.forceLimit ||
-        pushes() != other.pushes() || atLimit() != other.atLimit())
+    if (contacts != other.contacts || armed != other.armed || beyond != other.beyond ||
+        std::abs(shell - other.shell) > length || (centre - other.centre).norm() > length ||
+        forceLimit != other.forceLimit || pushes() != other.pushes() || atLimit() != other.atLimit())
         return false;
     const auto same = [&](const ContactReport& a, const ContactReport& b) {
         return (a.point - b.point).norm() <= length && (a.normal - b.normal).norm() <= kTilt &&
@@ -147,6 +152,7 @@ struct TouchOverlay::Impl {
 
     void placeSpring(const TouchState& state, double pixel);
     void placePen(const TouchState& state, const ViewCamera& camera, double pixel);
+    void placeShell(const TouchState& state);
     void placeArrow(const TouchState& state, const ViewCamera& camera, double pixel);
     void placeContact(ContactMark& mark, const ContactReport& contact, double pixel, double proxyRadius);
 
@@ -160,8 +166,16 @@ struct TouchOverlay::Impl {
     TouchShape spring, proxy, finger, halo;
     TouchArrow arrow;
     vtkRenderer &inSolid, &inGhost;
-    std::unique_ptr<TouchArrow> pen; ///< null: it is not shown
+    std::unique_ptr<TouchArrow> pen;    ///< null: it is not shown
+    std::unique_ptr<ShellBubble> shell; ///< null: rate control is off
 };
+
+void TouchOverlay::Impl::placeShell(const TouchState& state) {
+    if (!(state.shell > 0)) return shell.reset();
+    if (!shell) shell = std::make_unique<ShellBubble>(inSolid);
+    shell->setColour(state.beyond ? theme->slip : theme->accent);
+    shell->place(state.centre, state.shell);
+}
 
 TouchOverlay::TouchOverlay(vtkRenderer& solid, vtkRenderer& ghost)
     : impl_(std::make_unique<Impl>(solid, ghost)) {
@@ -189,6 +203,7 @@ void TouchOverlay::setVisible(bool visible) {
         shape->setVisible(visible);
     if (impl_->pen) impl_->pen->setVisible(visible);
     if (visible) return;
+    impl_->shell.reset();
     impl_->arrow.setVisible(false);
     for (auto& mark : impl_->contacts)
         mark->setVisible(false, false);
@@ -220,6 +235,7 @@ void TouchOverlay::update(const TouchState& state, const ViewCamera& camera, dou
     impl_->proxy.place(state.proxy, Vec3::UnitY(), radius, radius);
     impl_->finger.place(state.finger, Vec3::UnitY(), fingerRadius, fingerRadius);
     impl_->halo.place(state.finger, -camera.forward(), std::max(kHalo * atFinger, 1.8 * fingerRadius), 1);
+    impl_->placeShell(state);
     impl_->placeSpring(state, pixel);
     impl_->placeArrow(state, camera, pixel);
     if (impl_->pen) impl_->placePen(state, camera, pixel);

@@ -22,6 +22,9 @@ struct TouchState {
     Vec3 force = Vec3::Zero();
     double forceLimit = 1;
     bool armed = false;
+    Vec3 centre = Vec3::Zero(); ///< of the device's workspace
+    double shell = 0;           ///< m, its radius where rate control begins; 0: none is drawn
+    bool beyond = false;        ///< the hand is beyond it
     int contacts = 0;
     std::array<ContactReport, kMaxModelPlanes> contact{};
 

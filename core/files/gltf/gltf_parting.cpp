@@ -220,9 +220,10 @@ void GltfParting::strip(bool mechanics) {
     eraseUse(root_, kExtension);
     eraseInstancing(root_);
     if (!extensionOf(root_)) return;
-    for (const char* key : {"version", "foreign", "copies", "finger", "gravity"})
+    for (const char* key : {"version", "foreign", "copies", "finger", "gravity", "reach"})
         root_["extensions"][kExtension].erase(key);
     root_["extensions"][kExtension].erase(jsonKey(kProxyRadius.key));
+    root_["extensions"][kExtension].erase(jsonKey(kShellRadius.key));
     for (const WorldField& field : kWorldFields)
         root_["extensions"][kExtension].erase(jsonKey(field.parameter->key));
     if (root_["extensions"][kExtension].empty()) eraseExtension(root_, kExtension);

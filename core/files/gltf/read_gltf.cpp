@@ -64,6 +64,7 @@ private:
     void noteInstances(std::size_t meshes);
     void readRoot();
     void readMirroredRoot();
+    void readReach(const Json& ours);
     void readFinger(int view);
     void readMechanics(const GltfMotions& motions);
     bool hasMechanics() const { return !loaded_.scene.mechanics.bodies.empty(); }
@@ -235,6 +236,7 @@ void GltfReader::readRoot() {
     const Json* radius = ours ? member(*ours, jsonKey(kProxyRadius.key).c_str()) : nullptr;
     if (radius && radius->is_number()) loaded_.scene.proxyRadius = radius->get<double>();
     if (!ours) readMirroredRoot();
+    if (ours) readReach(*ours);
     if (ours && ours->contains(jsonKey(kProxyRadius.key)) && !(radius && radius->is_number()))
         say(Severity::Warning, "", std::string(kExtension) + ".proxyRadius is not a number",
             "the initial value is used");
@@ -247,6 +249,21 @@ void GltfReader::readRoot() {
         say(Severity::Warning, "", std::string(kExtension) + ".copies names what is no copy",
             "only the extensions that are written as copies are written anew");
     if (ours && member(*ours, "finger")) readFinger(indexIn(*ours, "finger", model_.bufferViews.size()));
+}
+
+void GltfReader::readReach(const Json& ours) {
+    Reach& reach = loaded_.scene.reach;
+    const Json* mode = member(ours, "reach");
+    const auto known =
+        std::ranges::find_if(kReachChoices, [&](const auto& each) { return mode && *mode == each.key; });
+    if (known != kReachChoices.end()) reach.mode = ReachMode(known - kReachChoices.begin());
+    const Json* shell = member(ours, jsonKey(kShellRadius.key).c_str());
+    const bool number =
+        shell && shell->is_number() && shell->get<double>() == kShellRadius.clamped(shell->get<double>());
+    if (number) reach.shell = shell->get<double>();
+    if ((mode && known == kReachChoices.end()) || (shell && !number))
+        say(Severity::Warning, "", std::string(kExtension) + ".reach is not one that it may be",
+            "what cannot be has its initial value");
 }
 
 void GltfReader::readMirroredRoot() {

@@ -357,6 +357,10 @@ void GltfWriter::finishRoot(const std::vector<int>& roots) {
         ours[key] = nullptr;
         if (moves && value != field.parameter->initial) ours[key] = numbers[key] = value;
     }
+    const Reach& reach = scene_.reach;
+    ours["reach"] =
+        reach.mode == ReachMode::Position ? Json(nullptr) : Json(kReachChoices[std::size_t(reach.mode)].key);
+    ours[jsonKey(kShellRadius.key)] = reach.shell == kUsualShell ? Json(nullptr) : Json(reach.shell);
     addMirror(root_["scenes"][std::size_t(scene)], numbers);
     ours["finger"] = scene_.finger ? Json(data_.addRawView(fingerNumbers(*scene_.finger))) : Json(nullptr);
     objectAt(root_, "extensions").merge_patch({{kExtension, ours}});

@@ -156,6 +156,11 @@ std::string formatSchema() {
            {"pattern", "^[0-9]+\\.[0-9]+$"},
            {"description", "Of the format. A reader refuses another major number."}}},
          {jsonKey(kProxyRadius.key), number(kProxyRadius)},
+         {"reach",
+          word(kReachChoices,
+               "How hands reach beyond their device's workspace: the finger follows the hand and nothing "
+               "else, rate control beyond a shell, or a slow drift.")},
+         {jsonKey(kShellRadius.key), number(kShellRadius)},
          {"finger", view("a stroke that shows the scene, four doubles a row: time in s, position in m in the "
                          "world frame.")},
          {"gravity", numbers(3, "Of a scene with bodies, world frame. Unit: m/s^2.")},

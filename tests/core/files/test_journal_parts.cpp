@@ -137,13 +137,18 @@ private slots:
         QCOMPARE(back->size(), 0u);
     }
 
-    /// Its steps have another form.
-    void ofAJournalFromBeforeGroupsTheSceneIsReadAlone() {
+    void ofAJournalWhoseStepsHaveAnotherFormTheSceneIsReadAlone_data() {
+        QTest::addColumn<char>("version");
+        QTest::newRow("before groups") << '2';
+        QTest::newRow("before the reach of hands") << '3';
+    }
+    void ofAJournalWhoseStepsHaveAnotherFormTheSceneIsReadAlone() {
+        QFETCH(char, version);
         SceneHistory history;
         history.done.push_back({"softer", sceneOf(600)});
         VERIFY_RESULT(writeJournal(folder_, entryOf(), sceneOf(), history));
         std::string bytes = read(folder_ / "journal");
-        bytes[bytes.find('\n') - 1] = '2';
+        bytes[bytes.find('\n') - 1] = version;
         std::ofstream(folder_ / "journal", std::ios::binary) << bytes;
         const auto loaded = loadScene(*unpackJournal(folder_));
         VERIFY_RESULT(loaded);

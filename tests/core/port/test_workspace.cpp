@@ -45,13 +45,19 @@ DeviceSample reading(const Vec3& position, std::uint32_t buttons = 0) {
     return sample;
 }
 
+DeviceInfo withRadius(double radius) {
+    DeviceInfo device;
+    device.workspaceRadius = radius;
+    return device;
+}
+
 /// A tracker whose device goes where the test says, and the finger's place in the scene.
 struct Tracked {
-    explicit Tracked(const Workspace& workspace, double radius = 0.1) : tracker(radius) {
+    explicit Tracked(const Workspace& workspace, double radius = 0.1) : tracker(withRadius(radius)) {
         tracker.decide(workspace);
     }
     Vec3 finger(const Vec3& device, std::uint32_t buttons = 0, bool pushing = false) {
-        return tracker.follow(reading(device, buttons), pushing, kTick).pointInWorld(device);
+        return tracker.follow(reading(device, buttons), {.pushing = pushing}, kTick).pointInWorld(device);
     }
     WorkspaceTracker tracker;
 };
@@ -114,7 +120,7 @@ private slots:
         Tracked hand({.clutch = kClutch});
         const Vec3 begin = hand.finger({0.01, 0, 0}, kClutch);
         DeviceSample lost;
-        hand.tracker.follow(lost, false, kTick);
+        hand.tracker.follow(lost, {}, kTick);
         COMPARE_NEAR(hand.finger({0.02, 0, 0}, kClutch), begin, 1e-15, "m");
     }
 
@@ -123,7 +129,7 @@ private slots:
         Tracked hand({.clutch = kClutch});
         hand.finger(kCentre);
         hand.tracker.decide({.offset = {0.01, 0, 0}, .clutch = kClutch});
-        const DeviceFrame& frame = hand.tracker.follow(DeviceSample{}, false, kTick);
+        const DeviceFrame& frame = hand.tracker.follow(DeviceSample{}, {}, kTick);
         QCOMPARE(frame.offset, Vec3(0, 0, 0));
         QVERIFY(!hand.tracker.jumped());
         QCOMPARE(hand.finger(kCentre), Vec3(kCentre + Vec3(0.01, 0, 0)));
@@ -145,13 +151,13 @@ private slots:
 
     /// Also of a machine that slept for a night with the handle at the edge.
     void aLoopThatStoodStillTookNothingAlong() {
-        WorkspaceTracker tracker(0.1);
+        WorkspaceTracker tracker(withRadius(0.1));
         tracker.decide({.bump = true});
         DeviceSample edge;
         edge.position = {0, 0.1, 0};
         edge.valid = true;
-        const Vec3 before = tracker.follow(edge, false, kTick).offset;
-        const Vec3 after = tracker.follow(edge, false, 8 * 3600).offset;
+        const Vec3 before = tracker.follow(edge, {}, kTick).offset;
+        const Vec3 after = tracker.follow(edge, {}, 8 * 3600).offset;
         QCOMPARE_LE((after - before).norm(), kBumpSpeed * 0.01 + 1e-12);
     }
 

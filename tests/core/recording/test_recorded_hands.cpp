@@ -233,14 +233,14 @@ private slots:
         QCOMPARE(recordingBytes(*read), bytes);
     }
 
-    /// Programs of before read what one hand did.
-    void aFileOfOneHandIsOfTheFormatBefore() {
+    /// A program that knows of one hand alone need not know of others to read it.
+    void aFileOfOneHandIsOfAFormatOfItsOwn() {
         RecordedRun one = run_;
         one.others.clear();
         const std::string bytes = recordingBytes({one, "one hand", {}});
-        QCOMPARE(int(bytes[8]), 18);
+        QCOMPARE(int(bytes[8]), 20);
         COMPARE_LACKS(bytes.substr(0, 4000), "others");
-        QCOMPARE(int(recordingBytes({run_, "two hands", {}})[8]), 19);
+        QCOMPARE(int(recordingBytes({run_, "two hands", {}})[8]), 21);
     }
 
     void oneBitOfTheSecondIsFound() {

@@ -24,7 +24,7 @@ EngineReport full() {
     report.running = report.standsStill = report.realtime = true;
     report.armed = report.deadMan = report.overridesCeiling = true;
     report.pace = 0.5;
-    report.workspace = {2, {3, -1, 2}, {1, 2, 3}, 4, true, 5};
+    report.workspace = {2, {3, -1, 2}, {1, 2, 3}, 4, true, {ReachMode::Rate, 0.02}, 5};
     report.publishedAfter = 6;
     report.trouble = "t", report.caution = "c", report.priorityNote = "p";
     ProxyTelemetry& proxy = report.proxy;
@@ -71,6 +71,7 @@ private slots:
         QCOMPARE(read->device.name, std::string("Hand"));
         QCOMPARE(read->device.maxForce, 7.0);
         QCOMPARE(read->workspace.axes, (AxisMap{3, -1, 2}));
+        QCOMPARE(read->workspace.reach, (Reach{ReachMode::Rate, 0.02}));
         QCOMPARE(read->proxy.output.contact[1].staticFriction, 0.5);
         QCOMPARE(read->proxy.output.contact[1].body, 11u);
         QCOMPARE(read->proxy.output.report.passed, true);

@@ -23,7 +23,9 @@ inline LocalContactModel wall(double stiffness, double friction = 0) {
 
 /// A servo whose finger stays where the test puts it.
 struct Held {
-    Held() : state(info()) { settings.armed = settings.overrideCeiling = true; }
+    explicit Held(const DeviceInfo& device = info()) : state(device) {
+        settings.armed = settings.overrideCeiling = true;
+    }
     static DeviceInfo info() {
         DeviceInfo info;
         info.maxForce = 20;
@@ -43,7 +45,8 @@ struct Held {
                             .apart = repeats ? 0 : dt + std::exchange(unread_, 0),
                             .fresh = fresh,
                             .clutched = clutched,
-                            .outside_D = outside},
+                            .outside_D = outside,
+                            .border = border},
                            model);
         return output.force;
     }
@@ -64,6 +67,7 @@ struct Held {
     DeviceFrame frame;
     bool clutched = false;
     Vec3 outside = Vec3::Zero(); ///< N, that others add
+    double border = 0;           ///< m, of rate control
     bool repeats = false;        ///< the device says nothing new: the reading is that of the tick before
     bool fresh = true;           ///< the model is a newer one at every tick
     ServoOutput output;

@@ -134,6 +134,13 @@ private slots:
         overlay.update(touched(), camera(), 0.001);
         COMPARE_SHOWN(stage.props(), "touch-stylus");
         overlay.setStylus(false);
+        // The border of rate control is a ball about the workspace, and goes with it.
+        TouchState reaching = touched();
+        reaching.centre = {0.02, 0, 0};
+        reaching.shell = 0.03;
+        overlay.update(reaching, camera(), 0.001);
+        COMPARE_SHOWN(stage.props(), "touch-shell");
+        overlay.update(touched(), camera(), 0.001);
         TouchState state = touched();
         state.armed = false;
         state.contact[0].frictionless = true;

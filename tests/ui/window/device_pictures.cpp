@@ -1,6 +1,7 @@
 #include "tests/ui/window/device_pictures.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QPushButton>
 #include <QTest>
@@ -93,6 +94,29 @@ struct DevicePictures {
         save(QStringLiteral("device-trial"));
         click("trial-end-button");
     }
+    /// The hand pulls beyond the shell.
+    void takeReach() {
+        click("device-page-2");
+        program.command("workspace-fit").trigger();
+        auto* reach = program.window->findChild<QComboBox*>(QStringLiteral("workspace-reach"));
+        reach->setCurrentIndex(1);
+        emit reach->activated(1);
+        desk->place(-0.016, 0.016, 0.016); // above the model, on its left
+        program.frames(20);
+        program.engine.restartProxy(); // it did not come there through the table
+        program.frames(5);
+        click("device-arm");
+        until([&] { return program.engine.servo().gain == 1; });
+        for (int i = 0; i <= 25; ++i) {
+            desk->place(-0.016 - 8e-5 * i, 0.016 + 8e-5 * i, 0.016);
+            program.frames(1);
+        }
+        save(QStringLiteral("device-reach"));
+        program.command("undo").trigger();
+        desk->place(0, 0, 0);
+        program.frames(20);
+        click("device-arm");
+    }
     void setTheme(const char* id, const QString& newSuffix) {
         program.command(id).trigger();
         suffix = newSuffix;
@@ -115,6 +139,7 @@ void takeDevicePictures(const QDir& folder, const QString& sample, QSize size, b
     pictures.connectIt();
     if (all) pictures.takePages();
     pictures.takeTrial();
+    pictures.takeReach();
     if (!all) return;
     pictures.setTheme("theme-light", QStringLiteral("-light"));
     pictures.takePages();

@@ -86,9 +86,11 @@ std::set<QString> tableTexts() {
         texts.add(*field.hinge);
         texts.add(*field.slider);
     }
-    for (const Parameter* each : {&kCreaseAngle, &kProxyRadius, &kTextureHeight, &kTextureRatio,
-                                  &kTextureOpacity, &kBodyMass, &kWorkspaceScale, &kSelectAngle})
+    for (const Parameter* each :
+         {&kCreaseAngle, &kProxyRadius, &kTextureHeight, &kTextureRatio, &kTextureOpacity, &kBodyMass,
+          &kWorkspaceScale, &kShellRadius, &kSelectAngle})
         texts.add(*each);
+    texts.addChoices(kReachChoices);
     texts.addChoices(kTextureSources);
     texts.addChoices(kTextureMappings);
     texts.addChoices(kTextureBlends);

@@ -41,6 +41,8 @@ private slots:
     void motionsSetTheAxes();
     void motionsThatAreNotClearDoNot();
     void reCentringTakesBackWhatTheClutchMoved();
+    void beyondTheShellTheWorkspaceGoesOn();
+    void howAHandReachesIsOfTheScene();
     void theCeilingFallsWithTheScale();
     void undoDoesNotTouchTheDevice();
     void trialsAreFeltInsteadOfTheScene();
@@ -252,6 +254,78 @@ void TestDeviceUse::reCentringTakesBackWhatTheClutchMoved() {
     // The cube has a diagonal of 0.1732 m, the arm reaches 0.05 m.
     desk.program.command("workspace-fit").trigger();
     COMPARE_NEAR(desk.engine().workspace().scale, std::sqrt(3.0), 1e-9, "");
+}
+
+/// The border is a spring of 200 N/m, and the workspace goes 20 times its stretch a second.
+void TestDeviceUse::beyondTheShellTheWorkspaceGoesOn() {
+    Desk desk;
+    QVERIFY(desk.program.open(writeCube(folder_)));
+    desk.desk->place(0, 0, 0.015);
+    QVERIFY(desk.connectIt());
+    desk.page(DevicePanel::Page::Workspace);
+    desk.program.type(QStringLiteral("workspace-scale"), QStringLiteral("4")); // outside of the cube
+    desk.pick("workspace-reach", 1);
+    desk.program.type(QStringLiteral("shell-radius"), QStringLiteral("20"));
+    QCOMPARE(desk.engine().workspace().reach, (Reach{ReachMode::Rate, 0.02}));
+    const auto offset = [&] { return desk.engine().servo().frame.offset.z(); };
+    const auto pulls = [&] { return std::abs(desk.desk->force - 200 * 0.005) < 0.02; };
+    // A machine that is late takes the force away, and who is beyond the border when it comes back has it
+    // with him: then a person arms anew and pulls once more.
+    const auto pull = [&] {
+        desk.desk->place(0, 0, 0.015);
+        if (!desk.fullForce()) return false;
+        for (int i = 0; i <= 40; ++i) {
+            desk.desk->place(0, 0, 0.015 + 2.5e-4 * i);
+            desk.program.frames(1);
+        }
+        return test::waitFor([&] { return pulls() || desk.engine().servo().gain < 1; }) && pulls();
+    };
+    desk.engine().setArmed(true);
+    QVERIFY(desk.fullForce());
+    QVERIFY(!desk.widget("workspace-beyond").isVisible());
+    QCOMPARE(offset(), 0.0);
+    bool went = false;
+    for (int attempt = 0; attempt < 5 && !went; ++attempt) {
+        if (!pull()) continue;
+        QVERIFY(desk.widget("workspace-beyond").isVisible());
+        const double before = offset(), since = double(desk.engine().servo().ticks);
+        desk.program.frames(60);
+        if (!pulls()) continue;
+        COMPARE_NEAR((offset() - before) / (double(desk.engine().servo().ticks) - since),
+                     1e-3 * 4 * 20 * 0.005, 4e-5, "m");
+        went = offset() > before + 0.02;
+    }
+    QVERIFY(went);
+    desk.desk->place(0, 0, 0.015);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.desk->force.load(), 0.0, kPatience);
+    QVERIFY(!desk.widget("workspace-beyond").isVisible());
+    const double home = offset();
+    desk.program.frames(20);
+    QCOMPARE(offset(), home);
+}
+
+/// Undone with it and kept in its file, and of every hand; none of it is the device's.
+void TestDeviceUse::howAHandReachesIsOfTheScene() {
+    Desk desk;
+    QVERIFY(desk.program.open(writeCube(folder_)));
+    QVERIFY(desk.connectIt());
+    desk.page(DevicePanel::Page::Workspace);
+    desk.pick("workspace-reach", 2);
+    const auto reach = [&] { return desk.engine().workspace().reach; };
+    QCOMPARE(reach().mode, ReachMode::Drift);
+    QVERIFY(!desk.program.box(QStringLiteral("shell-radius")).isVisible());
+    desk.program.command("undo").trigger();
+    QCOMPARE(reach(), Reach{});
+    QCOMPARE(static_cast<QComboBox&>(desk.widget("workspace-reach")).currentIndex(), 0);
+    desk.program.command("redo").trigger();
+    QCOMPARE(reach().mode, ReachMode::Drift);
+    desk.program.command("device-disconnect").trigger();
+    QCOMPARE(reach(), Reach{}); // the mouse leads the simulated hand in the scene itself
+    QVERIFY(desk.widget("workspace-reach").isVisible()); // an author needs no device for it
+    desk.pick("workspace-reach", 1);
+    QCOMPARE(desk.program.document.scene().reach, (Reach{ReachMode::Rate, kUsualShell}));
+    QVERIFY(desk.connectIt());
+    QCOMPARE(reach().mode, ReachMode::Rate);
 }
 
 void TestDeviceUse::theCeilingFallsWithTheScale() {
