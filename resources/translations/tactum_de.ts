@@ -404,6 +404,10 @@
             <translation>%1 Oberflächen</translation>
         </message>
         <message>
+            <source>%1 times as large</source>
+            <translation>%1-mal so groß</translation>
+        </message>
+        <message>
             <source>%1 times larger</source>
             <translation>%1-mal größer</translation>
         </message>
@@ -1230,6 +1234,10 @@
         <message>
             <source>A &amp;hundred times as high</source>
             <translation>&amp;Hundertmal so hoch</translation>
+        </message>
+        <message>
+            <source>A &amp;loupe</source>
+            <translation>Eine &amp;Lupe</translation>
         </message>
         <message>
             <source>A &amp;stylus</source>
@@ -3801,6 +3809,10 @@
         <message>
             <source>Loose balls: push one, and it meets the others</source>
             <translation>Lose Kugeln: eine anstoßen, und sie trifft die anderen</translation>
+        </message>
+        <message>
+            <source>Loupe</source>
+            <translation>Lupe</translation>
         </message>
         <message>
             <source>Lower stop</source>
@@ -6676,6 +6688,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Der Weg entlang %1 wird entlang %2 gelesen.</translation>
         </message>
         <message>
+            <source>The wheel makes it larger and smaller</source>
+            <translation>Das Mausrad vergrößert und verkleinert</translation>
+        </message>
+        <message>
             <source>The wheel turned away</source>
             <translation>Mausrad von sich weg</translation>
         </message>
@@ -7146,6 +7162,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>What is t&amp;ouched</source>
             <translation>Was be&amp;rührt wird</translation>
+        </message>
+        <message>
+            <source>What is touched from nearby, in a corner of the view; the wheel over it makes it larger</source>
+            <translation>Was berührt wird, von nahem, in einer Ecke der Ansicht; das Mausrad darüber vergrößert es</translation>
         </message>
         <message>
             <source>What is touched, and whether friction holds or slides</source>

@@ -263,6 +263,8 @@ constexpr Command kCommands[] = {
      true},
     {"stylus", "View/&At the contact", "A &stylus", "", "",
      "A pen whose tip is the proxy, beside the ball; it leans toward the eye", true},
+    {"loupe", "View/&At the contact", "A &loupe", "", "",
+     "What is touched from nearby, in a corner of the view; the wheel over it makes it larger", true},
     {"friction-cone", "View/&At the contact", "Friction &cone", "", "cone",
      "The forces that friction holds: the force's arrow lies inside until the contact slips", true},
     {"trail", "View/&At the contact", "&Trail of the proxy", "", "trail",

@@ -10,6 +10,7 @@ namespace tactum {
 
 Covers::Covers(QWidget& body, SceneView& view) : QObject(&body), body_(body), view_(view) {
     view.installEventFilter(this);
+    body.installEventFilter(this);
     for (QWidget* each : over())
         each->installEventFilter(this);
 }
@@ -24,6 +25,8 @@ bool Covers::eventFilter(QObject* watched, QEvent* event) {
     const QEvent::Type type = event->type();
     if (type == QEvent::Show || type == QEvent::Hide || type == QEvent::Resize || type == QEvent::Move)
         tell();
+    if (type == QEvent::ChildAdded && watched == &body_)
+        static_cast<QChildEvent*>(event)->child()->installEventFilter(this);
     return QObject::eventFilter(watched, event);
 }
 

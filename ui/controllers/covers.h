@@ -13,7 +13,7 @@ class SceneView;
 class Covers : public QObject {
     Q_OBJECT
 public:
-    /// `body`: the parent of all that lies over the view; made when everything is in it.
+    /// `body`: the parent of all that lies over the view.
     Covers(QWidget& body, SceneView& view);
 
 protected:

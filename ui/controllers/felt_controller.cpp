@@ -19,6 +19,7 @@ struct Switch {
 constexpr Switch kSwitches[] = {{"contact-normals", &FeltOptions::normals},
                                 {"contact-planes", &FeltOptions::planes},
                                 {"stylus", &FeltOptions::stylus},
+                                {"loupe", &FeltOptions::loupe},
                                 {"friction-cone", &FeltOptions::cone},
                                 {"trail", &FeltOptions::trail},
                                 {"felt-normals", &FeltOptions::feltNormals},

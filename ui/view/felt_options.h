@@ -12,6 +12,7 @@ struct FeltOptions {
     // At the contacts.
     bool normals = true, planes = true;
     bool stylus = false; ///< a pen whose tip is the proxy
+    bool loupe = false;  ///< a picture from nearby beside the view's
     bool cone = false;   ///< of friction
     bool trail = false;  ///< of the proxy, the last seconds
     // Of the picture as a whole.

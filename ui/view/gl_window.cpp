@@ -50,12 +50,16 @@ void GlWindow::PopContext() {
 }
 
 void GlWindow::renderFrame() {
+    drawAside([this] { Render(); });
+}
+
+void GlWindow::drawAside(const std::function<void()>& draw) {
     auto* state = GetState();
     state->Reset(); // Qt has changed it since the last frame
     state->Push();
     state->vtkglDepthFunc(GL_LEQUAL);
     state->vtkglEnable(GL_MULTISAMPLE); // a painter without antialiasing switches it off
-    Render();
+    draw();
     state->Pop();
 }
 

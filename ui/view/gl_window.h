@@ -33,6 +33,8 @@ public:
     bool drawsCoarse() const { return coarse_; }
     /// Renders one frame into the framebuffer that is bound now, and leaves Qt's view of the state intact.
     void renderFrame();
+    /// The same for what `draw` renders, in the size that it says itself.
+    void drawAside(const std::function<void()>& draw);
     /// True when the current context draws on the processor.
     static bool rendererIsSoftware();
 

@@ -62,6 +62,7 @@ void SceneView::Impl::applyTheme() {
     overlay.setTheme(theme(), mark.number);
     for (Beside& other : beside)
         other.overlay->setTheme(theme(), other.mark.number);
+    if (loupe) loupe->picture.marks().setTheme(theme(), mark.number);
     faces.setTheme(theme());
     brushed.setTheme(theme());
     marks.setColour(theme().fault);
@@ -232,6 +233,7 @@ void SceneView::setPainted(const PaintedPicture& picture) {
 void SceneView::setHaptics(const ProxyTelemetry& proxy, const ServoTelemetry& servo, double forceLimit,
                            bool armed) {
     const TouchState next = touchState(proxy, servo, forceLimit, armed);
+    impl_->watchLoupe();
     const bool gone = impl_->model.moveTo(proxy.time);
     const std::span<const PlacedObject> places = impl_->bodies.at(proxy.bodies);
     const bool moved = impl_->model.put(places) || gone;
@@ -547,6 +549,7 @@ void SceneView::paintOver() {
         drawTouchLabels(painter, *impl_->touch, impl_->camera, impl_->theme(), impl_->touchedName,
                         {impl_->mark.number, impl_->beside.empty() ? QString() : impl_->mark.name});
     impl_->drawBeside(painter);
+    impl_->askForLoupe();
 }
 
 } // namespace tactum

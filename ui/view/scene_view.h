@@ -55,6 +55,12 @@ enum class RegionShape { Box, Lasso };
 /// Looking along -Z, -X, -Y, or from the corner between them. Y is up.
 enum class StandardView { Front, Right, Top, Isometric };
 
+/// How the loupe is drawn.
+struct LoupeLook {
+    int side = 200;   ///< of its square, logical pixels
+    double times = 5; ///< as large as in the view
+};
+
 /// Whose a touch is.
 struct HandMark {
     std::size_t number = 0; ///< of the hand: its colours
@@ -226,6 +232,9 @@ public:
     /// Data of these MIME types can be dropped onto a surface, which is lit up meanwhile.
     void setDropTypes(const QStringList& types);
 
+    /// Of the picture that loupeDrawn() gives away while FeltOptions::loupe is on.
+    void setLoupe(const LoupeLook& look);
+
     /// What is shown now, in device pixels, drawn as well as this machine can.
     QImage grabPicture();
     /// The same to be kept: without what the tools are dragged by.
@@ -254,6 +263,10 @@ signals:
     void handGoalMoved(tactum::Vec3 goal_W, double time);
     /// Something of the drop types was let go over a surface; `data` lives until the signal returns.
     void droppedOn(tactum::SurfaceRef surface, const QMimeData& data);
+    /// The contact from nearby, again and again while something is touched, and where it is in the view; and
+    /// nothing was for a moment.
+    void loupeDrawn(const QImage& picture, QPointF contact);
+    void loupeLeft();
     /// The mouse took hold of the finger, or let it go.
     void handGrabbed(bool grabbed);
     /// The mouse took hold of a handle of the mapping; what it does to it follows until it lets go.

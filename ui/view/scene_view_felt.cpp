@@ -11,6 +11,7 @@ constexpr int kFadeMilliseconds = 100; // between two pictures of a trail that f
 void SceneView::setFelt(const FeltOptions& options) {
     impl_->overlay.setMarks(options.normals, options.planes);
     impl_->overlay.setStylus(options.stylus);
+    impl_->showLoupe(options.loupe);
     if (impl_->touch) impl_->felt.setPlace(impl_->touch->proxy);
     impl_->felt.setOptions(options);
     impl_->ground.setShown(options.ground);

@@ -16,6 +16,7 @@ void SceneView::setHands(const HandMark& mark, const std::vector<HandBeside>& ha
     bool moved = beside.size() != hands.size();
     if (std::exchange(impl_->mark, mark).number != mark.number) {
         impl_->overlay.setTheme(impl_->theme(), mark.number);
+        if (impl_->loupe) impl_->loupe->picture.marks().setTheme(impl_->theme(), mark.number);
         moved = true;
     }
     beside.resize(hands.size());

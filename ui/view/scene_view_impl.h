@@ -6,6 +6,7 @@
 #include <QVariantAnimation>
 
 #include "ui/view/boundary_lines.h"
+#include "ui/view/contact_loupe.h"
 #include "ui/view/face_layer.h"
 #include "ui/view/felt_view.h"
 #include "ui/view/ground_layer.h"
@@ -43,6 +44,13 @@ struct SceneView::Impl {
     /// `part` of the way of a flight, 0 to 1.
     void fly(double part);
     void applyTheme();
+
+    void showLoupe(bool on);
+    /// Something has changed in what it shows.
+    void askForLoupe();
+    /// Opens and leaves it by the touch.
+    void watchLoupe();
+    void drawLoupe();
 
     /// The touch that the mouse leads; null: none is known.
     const TouchState* ledTouch() const;
@@ -130,6 +138,17 @@ struct SceneView::Impl {
         TouchState touch;
         std::unique_ptr<TouchOverlay> overlay;
     };
+    struct Loupe {
+        Loupe(GlWindow& window, ViewStage& stage);
+
+        ContactLoupe picture;
+        QTimer due; ///< the next picture
+        std::chrono::milliseconds pause{0};
+        QElapsedTimer lastTouched;
+        bool open = false;
+    };
+    std::unique_ptr<Loupe> loupe; ///< null: it is not wanted
+    LoupeLook loupeLook;
     HandMark mark;              ///< of the touch
     std::vector<Beside> beside; ///< the other hands
     FeltView felt;

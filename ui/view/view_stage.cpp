@@ -103,7 +103,10 @@ void ViewStage::look(const ViewCamera& camera, const Bounds& shown) {
     for (vtkRenderer* renderer :
          std::initializer_list<vtkRenderer*>{solid, chosen, touch, outline_}) // their layers may be new
         cutOpen(*renderer);
-    vtkCamera& to = *solid->GetActiveCamera();
+    aim(*solid->GetActiveCamera(), camera, shown);
+}
+
+void aim(vtkCamera& to, const ViewCamera& camera, const Bounds& shown) {
     to.SetFocalPoint(camera.focus.data());
     to.SetPosition(camera.eye().data());
     to.SetViewUp(camera.up().data());

@@ -19,12 +19,16 @@
 #include "ui/view/smoothed_renderer.h"
 #include "ui/view/view_camera.h"
 
+class vtkCamera;
 class vtkRenderWindow;
 
 namespace tactum {
 
 /// Looks at the origin from the front, the right and above.
 ViewCamera defaultCamera();
+
+/// Sets VTK's camera, its clipping planes such that the box is held with as much depth as that allows.
+void aim(vtkCamera& to, const ViewCamera& camera, const Bounds& shown);
 
 /// Five renderers of one camera in a window: the model and what is laid over it, and what of it is selected,
 /// whose pictures are kept while they stay the same; what moves among it when it is touched; outlines over
@@ -45,7 +49,7 @@ public:
     void setSection(const std::optional<SectionPlane>& plane);
     /// Draws one outline around these actors.
     void setOutlined(const std::vector<vtkSmartPointer<vtkActor>>& actors);
-    /// Sets VTK's camera, its clipping planes such that the box is held with as much depth as that allows.
+    /// Aims the camera of all layers.
     void look(const ViewCamera& camera, const Bounds& shown);
 
     vtkNew<KeptRenderer> solid, chosen;

@@ -27,6 +27,7 @@
 #include "ui/controllers/health_controller.h"
 #include "ui/controllers/import_controller.h"
 #include "ui/controllers/layer_controller.h"
+#include "ui/controllers/loupe_controller.h"
 #include "ui/controllers/measure_controller.h"
 #include "ui/controllers/motion_controller.h"
 #include "ui/controllers/paint_controller.h"
@@ -151,6 +152,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectSelecting();
     connectArranging();
     new SurfaceController(bench_);
+    new LoupeController(bench_);
     felt_ = new FeltController(bench_);
     new PlotController(bench_, *docks_.plot);
     new SoundController(bench_, *sound_);

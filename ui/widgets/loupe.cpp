@@ -1,0 +1,69 @@
+#include "ui/widgets/loupe.h"
+
+#include <cmath>
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QWheelEvent>
+
+#include "ui/base/numbers.h"
+#include "ui/base/style.h"
+#include "ui/base/theme.h"
+
+namespace tactum {
+
+namespace {
+constexpr double kRound = 6, kLinePad = 6; // logical pixels
+constexpr double kNotch = 120;             // of QWheelEvent
+} // namespace
+
+Loupe::Loupe(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("loupe"));
+    setAccessibleName(tr("Loupe"));
+    setToolTip(tr("The wheel makes it larger and smaller"));
+    setAttribute(Qt::WA_NoMousePropagation);
+    setFocusPolicy(Qt::NoFocus);
+    hide();
+}
+
+void Loupe::setPicture(const QImage& picture) {
+    picture_ = picture;
+    update();
+}
+
+void Loupe::setTimes(double times) {
+    setAccessibleDescription(
+        tr("%1 times as large").arg(numberText(times, times == std::round(times) ? 0 : 1)));
+    update();
+}
+
+void Loupe::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF frame = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
+    QPainterPath inside;
+    inside.addRoundedRect(frame, kRound, kRound);
+    painter.setClipPath(inside);
+    painter.drawImage(rect(), picture_);
+    const double line = painter.fontMetrics().height() + kLinePad;
+    const double width = painter.fontMetrics().horizontalAdvance(accessibleDescription()) + 2 * kLinePad;
+    const QRectF label(0, height() - line, width, line);
+    painter.fillRect(label, theme().label);
+    painter.setPen(theme().labelText);
+    painter.drawText(label, Qt::AlignCenter, accessibleDescription());
+    painter.setClipping(false);
+    painter.setPen(QPen(theme().textDimmed, 1));
+    painter.drawPath(inside);
+}
+
+void Loupe::wheelEvent(QWheelEvent* event) {
+    event->accept();
+    emit turned(event->angleDelta().y() / kNotch);
+}
+
+void Loupe::mousePressEvent(QMouseEvent* event) {
+    event->accept();
+}
+
+} // namespace tactum
