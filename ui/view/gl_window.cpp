@@ -59,6 +59,8 @@ void GlWindow::drawAside(const std::function<void()>& draw) {
     state->Push();
     state->vtkglDepthFunc(GL_LEQUAL);
     state->vtkglEnable(GL_MULTISAMPLE); // a painter without antialiasing switches it off
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     draw();
     state->Pop();
 }

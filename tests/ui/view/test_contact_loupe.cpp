@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <numeric>
 
+#include <QElapsedTimer>
 #include <QTest>
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/support/waiting.h"
+#include "tests/ui/view/ball_scene.h"
 #include "ui/view/contact_loupe.h"
 #include "ui/view/scene_view.h"
 #include "ui/view/surface_format.h"
@@ -70,6 +72,7 @@ struct LoupeView {
     void touch(double x, int contacts = 1) {
         proxy.output.proxy = {x, kOver, 0.0005};
         proxy.output.contacts = contacts;
+        proxy.output.contact[0].point = {x, kOver, 0};
         proxy.output.contact[0].normal = Vec3::UnitZ();
         servo.finger = proxy.finger = {x, kOver, 0};
         view.setHaptics(proxy, servo, 8, true);
@@ -186,6 +189,18 @@ private slots:
         QCOMPARE_GT(pixelsLike(close, kDarkTheme.finger), 50);
     }
 
+    void planesAreSeenThrough() {
+        LoupeView shown;
+        shown.options.planes = true;
+        shown.view.setFelt(shown.options);
+        const QImage close = shown.loupe(0);
+        const QPoint contact = shown.contact.toPoint();
+        const QColor there = shown.view.grabPicture().pixelColor(contact + QPoint(20, -14));
+        const QColor here = close.pixelColor(QPoint(150, 80)); // beside the ball
+        COMPARE_NEAR(here.red(), there.red(), 12.0, "");
+        COMPARE_NEAR(here.green(), there.green(), 12.0, "");
+    }
+
     void theViewStaysAsItIs() {
         LoupeView shown;
         shown.options.loupe = false;
@@ -230,6 +245,34 @@ private slots:
         (void)shown.view.grabPicture();
         QTRY_VERIFY(shown.view.rests());
         QVERIFY(shown.picture.isNull());
+    }
+
+    /// Pictures a second of a touch that moves, without and with the loupe, by turns.
+    void figures() {
+        const int triangles = qEnvironmentVariableIntValue("TACTUM_TRIANGLES");
+        if (triangles < 8) QSKIP("TACTUM_TRIANGLES says of how many");
+        const auto rings = Index(std::sqrt(triangles / 4.0));
+        LoupeView shown;
+        shown.view.resize(1280, 800);
+        shown.view.setScene(testing::ballScene(2 * rings, rings));
+        shown.view.fit();
+        if (!test::waitFor([&] { return !shown.view.makesMeshes(); })) qFatal("the meshes are never made");
+        int views = 0, loupes = 0;
+        connect(&shown.view, &QOpenGLWidget::frameSwapped, this, [&] { ++views; });
+        connect(&shown.view, &SceneView::loupeDrawn, this, [&] { ++loupes; });
+        for (int run = 0; run < 6; ++run) {
+            shown.options.loupe = run % 2 == 1;
+            shown.view.setFelt(shown.options);
+            QTRY_VERIFY(shown.view.rests());
+            views = loupes = 0;
+            QElapsedTimer clock;
+            clock.start();
+            for (int drawn = -1, i = 0; clock.elapsed() < 5000; QCoreApplication::processEvents())
+                if (std::exchange(drawn, views) != views) shown.touch(1e-4 * (++i % 100));
+            qInfo("loupe %s: %5.1f pictures a second, %4.1f of the loupe",
+                  shown.options.loupe ? "on " : "off", 1e3 * views / double(clock.elapsed()),
+                  1e3 * loupes / double(clock.elapsed()));
+        }
     }
 
     void whatTakesLongComesSeldom() {
