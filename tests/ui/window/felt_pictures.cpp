@@ -89,6 +89,17 @@ void takeContact(Pictures& pictures) {
     pictures.toggle({"friction-cone", "trail"});
 }
 
+/// A finger in the relief of leather, from nearby.
+void takeLoupe(Pictures& pictures) {
+    pictures.open("layered-leather.glb");
+    pictures.toggle({"loupe"});
+    pictures.press({60, 20}, 4);
+    pictures.stroke({-80, 20}, 20);
+    pictures.save("loupe.png");
+    pictures.release();
+    pictures.toggle({"loupe"});
+}
+
 void takeModel(Pictures& pictures) {
     pictures.open("teapot.obj");
     pictures.toggle({"spheres"});
@@ -115,6 +126,7 @@ void takeMaps(Pictures& pictures) {
 void takeFeltPictures(TouchedWindow& program, const QDir& folder, const QString& scenes) {
     Pictures pictures(program, folder, scenes);
     takeMaps(pictures);
+    takeLoupe(pictures);
     takeModel(pictures);
     takeContact(pictures);
 }
