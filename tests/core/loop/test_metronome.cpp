@@ -23,8 +23,8 @@ void workFor(double seconds) {
     }
 }
 
-/// Has a frame so many ns after it was asked for one: one that kept a beat of its own would owe the time by which the
-/// machine woke the tick before too late.
+/// Has a frame so many ns after it was asked for one: one that kept a beat of its own would owe the time by
+/// which the machine woke the tick before too late.
 class FramedDevice final : public HapticDevice {
 public:
     explicit FramedDevice(std::int64_t every, bool tells = true) : every_(every), tells_(tells) {}
