@@ -14,7 +14,9 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "core/scene/primitives.h"
 #include "ui/controllers/arming.h"
+#include "ui/controllers/arrange_controller.h"
 #include "ui/controllers/cameras_menu.h"
 #include "ui/controllers/compare_controller.h"
 #include "ui/controllers/covers.h"
@@ -32,6 +34,7 @@
 #include "ui/controllers/motion_controller.h"
 #include "ui/controllers/paint_controller.h"
 #include "ui/controllers/palette_controller.h"
+#include "ui/controllers/parts_controller.h"
 #include "ui/controllers/plot_controller.h"
 #include "ui/controllers/preference_controller.h"
 #include "ui/controllers/presentation_controller.h"
@@ -66,6 +69,7 @@
 #include "ui/panels/import_bar.h"
 #include "ui/panels/inspector.h"
 #include "ui/panels/layer_panel.h"
+#include "ui/panels/place_panel.h"
 #include "ui/panels/recovery_bar.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
@@ -127,7 +131,8 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     view_->setTheme(theme().dark);
     setCentralWidget(makeCentre());
     docks_ = addDocks(*this, document);
-    addPlaceDock();
+    addTabBeside(*this, bench_.dock("dock-body"), QStringLiteral("dock-place"), tr("Place"),
+                 new PlacePanel(document, *arranging_));
     compare_ = new CompareController(bench_);
     study_ = new StudyController(bench_, *arming_, *stage_, *hand_, *studyPage_);
     presets_ = new PresetController(bench_);
@@ -137,6 +142,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     bench_.dock("dock-inspector").raise();
     sizeDocks(*this);
     folds_ = new Folds(*this);
+    parts_ = new PartsController(bench_, *arranging_, *hand_, *docks_.outliner, samples);
     makeToolBars();
     makeMenus();
     statusBar()->setSizeGripEnabled(false);
@@ -150,7 +156,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     cameras_ = new CamerasMenu(bench_);
     new GroupController(bench_);
     connectSelecting();
-    connectArranging();
+    new ArrangeController(bench_, *arranging_, *arrangeStrip_);
     new SurfaceController(bench_);
     new LoupeController(bench_);
     felt_ = new FeltController(bench_);
@@ -186,6 +192,22 @@ StudySession& MainWindow::study() {
 void MainWindow::setCatalogue(DeviceCatalogue& catalogue) {
     link_->setCatalogue(catalogue);
     devices_->showCommands();
+}
+
+/// Scenes that begin anew, and objects of which more is wanted.
+void MainWindow::connectParts() {
+    for (const auto& [id, ground] : {std::pair{"new", false}, {"new-ground", true}})
+        bench_.on(id, this, [this, onGround = ground] {
+            save_->leave(tr("beginning a new scene"), [this, onGround] {
+                playback_->end();
+                document_.begin(onGround ? sceneOf(Primitive::Ground) : Scene());
+            });
+        });
+    connect(start_, &StartPage::newRequested, &actions_["new-ground"], &QAction::trigger);
+    connect(parts_, &PartsController::opens, this, &MainWindow::open);
+    connect(view_, &SceneView::menuAsked, this, [this](const std::optional<PickHit>& hit, const QPoint& at) {
+        if (!playback_->active() && !study_->running()) parts_->askInView(hit, at);
+    });
 }
 
 /// Those that nobody here asks anything of, and what they tell each other.
@@ -465,7 +487,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (isPicture(file)) return layers_->drop(file, event->position());
     const QPointF at = view_->mapFrom(this, event->position());
     if (!presets_->take(file, view_->isVisible() ? view_->surfaceAt(at) : std::nullopt))
-        dropModels(filesIn(*event->mimeData()));
+        parts_->drop(filesIn(*event->mimeData()));
 }
 
 } // namespace tactum

@@ -45,6 +45,7 @@ class Journal;
 class LayerController;
 class NoticeBar;
 class PaintTool;
+class PartsController;
 class Playback;
 class PlaybackBar;
 class PresentationController;
@@ -133,19 +134,7 @@ private:
     void connectSelecting();
     void pick(const std::optional<PickHit>& hit, Qt::KeyboardModifiers modifiers);
     void showHovered();
-    // Of moving, turning and scaling: main_window_arranging.cpp.
-    void addPlaceDock();
-    void connectArranging();
-    void fillArrangeStrip();
-    // Of objects that come, are doubled, and go: main_window_parts.cpp.
     void connectParts();
-    void fillSamples(QMenu* menu);
-    void askToAdd();
-    void addFiles(const QStringList& files);
-    void dropModels(const QStringList& files);
-    void showAdded(const SceneAddition& addition);
-    void removeSelected();
-    void showObjectMenu(const QPoint& at, QWidget& over);
     void connectToServer(); ///< main_window_shared.cpp
     void drawTrace();
     Document& document_;
@@ -182,6 +171,7 @@ private:
     Arming* arming_;
     Stage* stage_;
     SaveController* save_;
+    PartsController* parts_ = nullptr;
     RoomController* room_ = nullptr;
     StudyController* study_ = nullptr;
     TrialController* trial_ = nullptr;
@@ -197,11 +187,9 @@ private:
     FeltController* felt_ = nullptr;
     PresentationController* presentation_ = nullptr;
     DevicePanel* devicePanel_ = nullptr;
-    QString dropped_; ///< the one model that is being added because it was dropped
     Docks docks_;
     QStringList samples_; ///< scenes to begin with, never written over
     Folds* folds_ = nullptr;
-    bool grabbed_ = false;              ///< the finger in the view
     std::uint64_t shownShape_ = 0;      ///< of the recorded scene in the view
     bool leaving_ = false;              ///< the person has agreed to close the window
     std::vector<TracePoint> trace_;     ///< of this frame

@@ -18,6 +18,7 @@
 #include "ui/base/mnemonics.h"
 #include "ui/base/style.h"
 #include "ui/controllers/folds.h"
+#include "ui/controllers/parts_controller.h"
 #include "ui/controllers/select_controller.h"
 #include "ui/controllers/selection_sets_menu.h"
 #include "ui/document/recent_files.h"
@@ -109,7 +110,7 @@ void MainWindow::makeMenus() {
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
     auto* samples = new QMenu(tr("From the sam&ples"), file);
     menuBar()->findChild<QMenu*>(QStringLiteral("File/A&dd"))->addMenu(samples);
-    fillSamples(samples);
+    parts_->fillSamples(*samples);
     auto* view = menuBar()->findChild<QMenu*>(QStringLiteral("View"));
     QMenu* panels = createPopupMenu();
     panels->setTitle(tr("&Panels"));
@@ -212,7 +213,6 @@ void MainWindow::connectView() {
     connect(&actions_["overlay"], &QAction::toggled, view_, &SceneView::setOverlayVisible);
     actions_["overlay"].setChecked(true);
     connect(view_, &SceneView::handGrabbed, this, [this](bool grabbed) {
-        grabbed_ = grabbed;
         if (grabbed) hint_->followed();
     });
 }
