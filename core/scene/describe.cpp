@@ -99,6 +99,8 @@ SceneDescription describe(const Scene& scene) {
     SceneDescription result;
     result.bounds_W = boundsOf(scene);
     result.parameters.push_back(described(kProxyRadius, scene.proxyRadius));
+    if (scene.reach.mode == ReachMode::Rate)
+        result.parameters.push_back(described(kShellRadius, scene.reach.shell));
     if (!scene.mechanics.bodies.empty())
         for (const WorldField& field : kWorldFields)
             result.parameters.push_back(described(*field.parameter, scene.mechanics.*field.value));

@@ -4860,7 +4860,7 @@ text | Wie war es?</translation>
         </message>
         <message>
             <source>Rate control beyond the shell</source>
-            <translation>Geschwindigkeitssteuerung außerhalb der Schale</translation>
+            <translation>Geschwindigkeitssteuerung</translation>
         </message>
         <message>
             <source>Rates</source>

@@ -33,15 +33,21 @@ LoupeController::LoupeController(const Workbench& bench)
       side_(LoupeLook{}.side) {
     connect(&bench.view, &SceneView::loupeDrawn, this, &LoupeController::show);
     connect(&bench.view, &SceneView::loupeLeft, this, [this] {
-        if (loupe_) loupe_->hide();
+        open_ = false;
+        // Under the pointer it stays, or the wheel that is turned over it would come to the camera.
+        if (loupe_ && !loupe_->underMouse()) loupe_->hide();
     });
     useLook();
 }
 
 void LoupeController::show(const QImage& picture, QPointF contact) {
+    open_ = true;
     if (!loupe_) {
         loupe_ = new Loupe(&body_);
         connect(loupe_, &Loupe::turned, this, &LoupeController::turn);
+        connect(loupe_, &Loupe::left, this, [this] {
+            if (!open_) loupe_->hide();
+        });
         useLook();
     }
     loupe_->setPicture(picture);

@@ -32,7 +32,8 @@ private:
     Loupe* loupe_ = nullptr;
     double times_;
     int side_;
-    bool low_ = true; ///< in the lower corner
+    bool low_ = true;   ///< in the lower corner
+    bool open_ = false; ///< something is touched, or was just now
 };
 
 } // namespace tactum

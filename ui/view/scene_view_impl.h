@@ -144,7 +144,7 @@ struct SceneView::Impl {
         ContactLoupe picture;
         QTimer due; ///< the next picture
         std::chrono::milliseconds pause{0};
-        QElapsedTimer lastTouched;
+        QElapsedTimer lastTouched, drawn;
         bool open = false;
     };
     std::unique_ptr<Loupe> loupe; ///< null: it is not wanted

@@ -4,7 +4,8 @@
 namespace tactum {
 
 namespace {
-constexpr int kStays = 1000; // ms after the last contact
+constexpr int kStays = 1000;     // ms after the last contact
+constexpr int kStillEvery = 250; // ms: where nothing moves, what lay over its place may have gone
 } // namespace
 
 SceneView::Impl::Loupe::Loupe(GlWindow& window, ViewStage& stage) : picture(window, stage) {
@@ -39,7 +40,8 @@ void SceneView::Impl::watchLoupe() {
     if (!loupe) return;
     if (showsTouch() && touch->contacts > 0) {
         loupe->lastTouched.start();
-        if (!std::exchange(loupe->open, true)) askForLoupe();
+        const bool still = loupe->drawn.isValid() && loupe->drawn.elapsed() > kStillEvery;
+        if (!std::exchange(loupe->open, true) || still) askForLoupe();
     } else if (loupe->open && (!showsTouch() || loupe->lastTouched.elapsed() >= kStays)) {
         loupe->open = false;
         loupe->due.stop();
@@ -49,6 +51,7 @@ void SceneView::Impl::watchLoupe() {
 
 // A picture of the exact model is no measure for those in motion, which are of the coarse one.
 void SceneView::Impl::drawLoupe() {
+    loupe->drawn.start();
     const QSizeF size(loupeLook.side, loupeLook.side);
     if (!view.context() || !showsTouch() || view.width() < size.width() || view.height() < size.height())
         return;

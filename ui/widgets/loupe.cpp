@@ -62,6 +62,10 @@ void Loupe::wheelEvent(QWheelEvent* event) {
     emit turned(event->angleDelta().y() / kNotch);
 }
 
+void Loupe::leaveEvent(QEvent*) {
+    emit left();
+}
+
 void Loupe::mousePressEvent(QMouseEvent* event) {
     event->accept();
 }

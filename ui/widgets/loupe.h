@@ -18,12 +18,15 @@ public:
     void setTimes(double times);
 
 signals:
+    /// The pointer is not over it any more.
+    void left();
     /// The wheel was turned over it, away from the person by a positive number.
     void turned(double notches);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
 
 private:

@@ -261,9 +261,12 @@ void GltfReader::readReach(const Json& ours) {
     const bool number =
         shell && shell->is_number() && shell->get<double>() == kShellRadius.clamped(shell->get<double>());
     if (number) reach.shell = shell->get<double>();
-    if ((mode && known == kReachChoices.end()) || (shell && !number))
-        say(Severity::Warning, "", std::string(kExtension) + ".reach is not one that it may be",
-            "what cannot be has its initial value");
+    if (mode && known == kReachChoices.end())
+        say(Severity::Warning, "", std::string(kExtension) + ".reach is none of position, rate and drift",
+            "hands reach by position");
+    if (shell && !number)
+        say(Severity::Warning, "", std::string(kExtension) + ".shellRadius is no number from 0.005 to 0.5 m",
+            "the initial value is used");
 }
 
 void GltfReader::readMirroredRoot() {

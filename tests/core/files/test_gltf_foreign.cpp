@@ -429,6 +429,10 @@ private slots:
         const std::string root = "/extensions/TACTUM_haptics/", mesh = "/meshes/0" + root;
         says(root + "finger", 999, "finger path");
         says(root + "proxyRadius", "x", "proxyRadius is not a number");
+        says(root + "reach", 7, "reach is none of position, rate and drift");
+        says(root + "reach", "fast", "reach is none of position, rate and drift");
+        says(root + "shellRadius", -1, "shellRadius is no number from 0.005 to 0.5 m");
+        says(root + "shellRadius", "x", "shellRadius is no number from 0.005 to 0.5 m");
         says(root + "copies", {kOurs}, "copies names what is no copy");
         says(root + "foreign", {{"nodes", 99999999}}, "foreign.nodes is 99999999");
         says(root + "foreign", {{"bytes", -1}}, "foreign.bytes is -1");
