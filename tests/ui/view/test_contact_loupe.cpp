@@ -218,6 +218,13 @@ private slots:
         QCOMPARE(shown.view.grabPicture(), before);
     }
 
+    /// What lay over its place may have gone meanwhile. The view itself has nothing new to draw.
+    void aStillTouchIsDrawnAgainAndAgain() {
+        LoupeView shown;
+        for (int picture = 0; picture < 10; ++picture)
+            QVERIFY(!shown.loupe(0.001).isNull());
+    }
+
     void itLeavesAfterTheTouch() {
         LoupeView shown;
         (void)shown.loupe(0);

@@ -91,19 +91,6 @@ private slots:
         opened.program.release(centre);
     }
 
-    /// Whatever lay over its place and has gone: nobody moves meanwhile.
-    void itComesBackUnderAHandAtRest() {
-        Opened opened;
-        opened.program.command("loupe").trigger();
-        const QPoint centre = opened.program.centre();
-        opened.touch(centre);
-        QVERIFY(opened.program.atRest());
-        opened.program.frames(60);
-        opened.loupe()->hide();
-        QTRY_VERIFY_WITH_TIMEOUT(opened.isSeen(), kPatience);
-        opened.program.release(centre);
-    }
-
     void itFollowsTheFinger() {
         Opened opened;
         opened.program.command("loupe").trigger();
