@@ -22,6 +22,8 @@ Result<void> checkWorkspace(const Workspace& workspace) {
         return inputError("Each axis of the device must be used once: choose another mapping of the axes.");
     if (!workspace.offset.allFinite())
         return inputError("The workspace's centre is no place: centre it anew.");
+    if (std::size_t(workspace.reach.mode) >= kReachModes)
+        return inputError("A hand reaches by position, rate or drift: choose one of them.");
     if (!(workspace.reach.shell >= kMinShell && workspace.reach.shell <= kMaxShell))
         return inputError("The shell's radius must be from 5 to 500 mm: choose another one.");
     return {};

@@ -276,7 +276,7 @@ Result<Workspace> workspaceOf(const v1::Workspace& workspace) {
             std::int8_t(std::clamp(workspace.axis(i), -4, 4)); // 4 is none, and is refused
     made.bump = workspace.bump();
     made.centring = workspace.centring();
-    made.reach.mode = ReachMode(std::min<std::uint32_t>(workspace.reach(), kReachModes - 1));
+    made.reach.mode = ReachMode(std::min<std::uint32_t>(workspace.reach(), kReachModes));
     if (workspace.has_shell()) made.reach.shell = workspace.shell();
     return checkWorkspace(made).map([&] { return made; });
 }

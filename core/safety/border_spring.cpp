@@ -6,8 +6,7 @@
 
 namespace tactum {
 namespace {
-constexpr double kForgets =
-    0.02;                    ///< s, in which a way back is forgotten to a third, and who did not move rests
+constexpr double kForgets = 0.02; ///< s, in which a way back is forgotten to a third; who did not move rests
 constexpr double kAhead = 3; ///< times as far as in the last tick a hand may go in the next ones, at its turn
 } // namespace
 

@@ -12,7 +12,7 @@ struct TrialWords {
     TrialWords() = default;
     // NOLINTNEXTLINE(google-explicit-constructor): plain words are words
     TrialWords(const char* theForm) : form(theForm) {}
-    // NOLINTNEXTLINE(google-explicit-constructor)
+    // NOLINTNEXTLINE(google-explicit-constructor): likewise
     TrialWords(std::string theForm) : form(std::move(theForm)) {}
     TrialWords(const char* theForm, std::vector<TrialWords> theParts)
         : form(theForm), parts(std::move(theParts)) {}

@@ -95,6 +95,10 @@ private slots:
         for (const double scale : {0.0, -1.0, std::nan(""), 1e9, 1e-9})
             QVERIFY(!checkWorkspace({.scale = scale}));
         QVERIFY(!checkWorkspace({.offset = Vec3(0, std::nan(""), 0)}));
+        QVERIFY(!checkWorkspace(
+            {.reach = {ReachMode(kReachModes), kUsualShell}})); // a later client's, for instance
+        for (const double shell : {0.0, 0.9 * kMinShell, 1.1 * kMaxShell, std::nan("")})
+            QVERIFY(!checkWorkspace({.reach = {ReachMode::Rate, shell}}));
     }
 
     void underTheClutchTheFingerRests() {
