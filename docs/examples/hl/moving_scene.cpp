@@ -19,6 +19,9 @@ int main(int argc, char** argv) {
     hl::material(hl::Stiffness, 500);
     hl::proxyRadius(2e-3);
     hl::leadHand(0, 0.02, 0);
+    // Not before the finger is above: a plate that comes to be around it may be felt from below.
+    if (!run(5, [](double) { return hl::state().finger[1] > 0.015; }))
+        return ended(false, "the hand did not come");
     double lowest = 1, highest = -1;
     bool pressed = false;
     const bool done = run(30, [&](double time) {
