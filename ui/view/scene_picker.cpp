@@ -156,17 +156,17 @@ void ScenePicker::buildTrees(std::vector<Target>& targets) {
 }
 
 // Nearest boxes first, so that those behind what is hit are not asked.
-std::optional<PickHit> ScenePicker::cast(const Ray& ray, Patience patience) const {
+std::optional<PickHit> ScenePicker::cast(const Ray& ray, Patience patience, double farthest) const {
     std::vector<std::pair<double, const Target*>> met;
     for (const Target& target : targets_) {
         if (!target.visible || target.box.empty()) continue;
-        if (const auto [enter, leave] = spanOf(target.box, ray); enter <= leave)
+        if (const auto [enter, leave] = spanOf(target.box, ray); enter <= std::min(leave, farthest))
             met.emplace_back(enter, &target);
     }
     std::ranges::stable_sort(met, {}, &std::pair<double, const Target*>::first);
     std::optional<PickHit> nearest;
     for (const auto& [enter, target] : met) {
-        const double reach = nearest ? nearest->distance : std::numeric_limits<double>::infinity();
+        const double reach = nearest ? nearest->distance : farthest;
         if (enter > reach) break;
         if (patience == Patience::Now && !isReady(target->tree)) continue;
         if (auto hit = castAt(*target, ray, reach)) nearest = hit;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <future>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -45,8 +46,9 @@ public:
     /// What it cuts away is not there for a ray; nothing: all is whole.
     void setSection(const std::optional<SectionPlane>& plane) { section_ = plane; }
 
-    /// The nearest visible surface along the ray.
-    std::optional<PickHit> cast(const Ray& ray, Patience patience) const;
+    /// The nearest visible surface along the ray, within `reach`, m.
+    std::optional<PickHit> cast(const Ray& ray, Patience patience,
+                                double reach = std::numeric_limits<double>::infinity()) const;
     /// The geometry of an object; null when it is not there.
     std::shared_ptr<const TriangleSoup> soupOf(ObjectId object) const;
     /// Whether nothing lies between two points. World frame.

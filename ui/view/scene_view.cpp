@@ -500,7 +500,8 @@ void SceneView::prepareFrame() {
     const PaintedPicture& painted = impl_->paint.picture();
     impl_->paint.lieOn([&](Index i) { return impl_->felt.shapeOf(painted.object, painted.soup.get(), i); });
     impl_->paint.place(impl_->model.matrixOf(painted.object));
-    if (impl_->touch) impl_->overlay.update(*impl_->touch, impl_->camera, impl_->proxyRadius);
+    if (impl_->touch)
+        impl_->overlay.update(*impl_->touch, impl_->camera, impl_->proxyRadius, impl_->shadows());
     impl_->placeBeside();
     impl_->felt.update(impl_->showsTouch() ? &*impl_->touch : nullptr, impl_->camera, devicePixelRatioF());
 }

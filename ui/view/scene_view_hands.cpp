@@ -39,11 +39,18 @@ void SceneView::setHands(const HandMark& mark, const std::vector<HandBeside>& ha
     if (moved) changed();
 }
 
+Drop SceneView::Impl::shadows() const {
+    return [this](const Ray& ray, double reach) -> std::optional<double> {
+        const auto hit = picker.cast(ray, ScenePicker::Patience::Now, reach);
+        return hit ? std::optional(hit->distance) : std::nullopt;
+    };
+}
+
 void SceneView::Impl::placeBeside() {
     for (Beside& other : beside) {
         other.overlay->setMarks(felt.options().normals, felt.options().planes);
         other.overlay->setStylus(felt.options().stylus);
-        other.overlay->update(other.touch, camera, proxyRadius);
+        other.overlay->update(other.touch, camera, proxyRadius, shadows());
     }
 }
 

@@ -54,6 +54,8 @@ struct SceneView::Impl {
 
     /// The touch that the mouse leads; null: none is known.
     const TouchState* ledTouch() const;
+    /// What the shadows of the hands fall on.
+    Drop shadows() const;
     void placeBeside();
     void drawBeside(QPainter& painter) const;
 

@@ -62,7 +62,7 @@ void SceneView::Impl::drawLoupe() {
     touching.setScale(touchScale);
     touching.setMarks(felt.options().normals, felt.options().planes);
     touching.setStylus(felt.options().stylus);
-    touching.update(*touch, close, proxyRadius);
+    touching.update(*touch, close, proxyRadius, shadows());
     view.makeCurrent();
     const auto before = std::chrono::steady_clock::now();
     const QImage picture =

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 #include <vtkActor.h>
@@ -13,6 +14,14 @@ namespace tactum {
 namespace {
 
 constexpr double kUsualGloss = 0.4;
+const Vec3 kToKey(-0.44, 0.66, 0.61); ///< in the camera's frame: right, up, toward the eye
+
+/// The statement of GLSL that names it.
+std::string keyLine() {
+    std::ostringstream line;
+    line << "const vec3 toKey = vec3(" << kToKey.x() << ", " << kToKey.y() << ", " << kToKey.z() << ");";
+    return line.str();
+}
 
 // Replaces VTK's light loop in the fragment shader: one pass with fixed lights in the camera's frame costs
 // less than a kit of five, which matters where the processor draws.
@@ -27,7 +36,6 @@ constexpr const char* kNormal = R"(
 // until little of it is left. Above 0.8 the curve bends towards white, so that what is bright keeps its
 // colour.
 constexpr const char* kLight = R"(
-    const vec3 toKey = vec3(-0.44, 0.66, 0.61);
     const vec3 toFill = vec3(0.83, 0.12, 0.54);
     float key = max(0.0, (dot(n, toKey) + 0.15) / 1.15);
     float fill = max(0.0, (dot(n, toFill) + 0.3) / 1.3);
@@ -61,16 +69,22 @@ constexpr const char* kBubble = R"(
     vec3 toEye = normalize(-vertexVC.xyz);
     float facing = clamp(abs(dot(normalize(normalVCVSOutput), toEye)), 0.0, 1.0);
     float rim = 0.05 + 0.75 * pow(1.0 - facing, 2.5);
-    float key = 0.75 + 0.25 * clamp(dot(normalVCVSOutput, vec3(-0.44, 0.66, 0.61)), -1.0, 1.0);
+    float key = 0.75 + 0.25 * clamp(dot(normalVCVSOutput, toKey), -1.0, 1.0);
     gl_FragData[0] = vec4(pow(clamp(key * diffuseColor, 0.0, 1.0), vec3(1.0 / 2.2)), rim);
 )";
 
 } // namespace
 
+Vec3 towardKeyLight(const ViewCamera& camera) {
+    return (kToKey.x() * camera.right() + kToKey.y() * camera.up() - kToKey.z() * camera.forward())
+        .normalized();
+}
+
 void useBubbleLight(vtkActor& actor) {
     actor.ForceTranslucentOn(); // writes no depth
     actor.GetProperty()->BackfaceCullingOn();
-    actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, kBubble, false);
+    actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, keyLine() + kBubble,
+                                                            false);
 }
 
 void useStudioLight(vtkActor& actor, const std::string& tilt) {
@@ -79,7 +93,7 @@ void useStudioLight(vtkActor& actor, const std::string& tilt) {
     actor.GetProperty()->SetDiffuse(1);
     actor.GetProperty()->SetSpecular(kUsualGloss);
     actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
-                                                            kNormal + tilt + kLight, false);
+                                                            kNormal + tilt + keyLine() + kLight, false);
 }
 
 void useVertexColours(vtkActor& actor) {

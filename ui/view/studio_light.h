@@ -5,9 +5,14 @@
 
 #include <QColor>
 
+#include "ui/view/view_camera.h"
+
 class vtkActor;
 
 namespace tactum {
+
+/// From anywhere to the key light, of unit length, world frame.
+Vec3 towardKeyLight(const ViewCamera& camera);
 
 /// Lights an actor as in a photographer's studio that moves with the camera: a warm key light from the upper
 /// left, a cool fill from the right, sky and floor, a rim, and two soft boxes that what is glossy mirrors.

@@ -92,6 +92,11 @@ void coil(vtkPolyData& line, const Vec3& from, const Vec3& to, double radius, do
     line.Modified();
 }
 
+Vec3 penEnd(const TouchState& state, const ViewCamera& camera, double pixel) {
+    const Vec3 along = kPenRight * camera.right() + kPenUp * camera.up() - kPenNear * camera.forward();
+    return state.proxy + kPenLength * pixel * along.normalized();
+}
+
 } // namespace
 
 TouchState touchState(const ProxyTelemetry& proxy, const ServoTelemetry& servo, double forceLimit,
@@ -141,8 +146,9 @@ Vec3 arrowTip(const TouchState& state, const ViewCamera& camera) {
 
 struct TouchOverlay::Impl {
     Impl(vtkRenderer& solid, vtkRenderer& ghost)
-        : spring(solid, ghost, *tube), proxy(solid, ghost, *ball()), finger(solid, ghost, *ball()),
-          halo(solid, ghost, *disc(0.84)), arrow(solid, ghost), inSolid(solid), inGhost(ghost) {
+        : shadow(solid), spring(solid, ghost, *tube), proxy(solid, ghost, *ball()),
+          finger(solid, ghost, *ball()), halo(solid, ghost, *disc(0.84)), arrow(solid, ghost), inSolid(solid),
+          inGhost(ghost) {
         for (int i = 0; i < kMaxModelPlanes; ++i)
             contacts.push_back(std::make_unique<ContactMark>(solid, ghost));
         tube->SetInputData(line);
@@ -151,7 +157,7 @@ struct TouchOverlay::Impl {
     }
 
     void placeSpring(const TouchState& state, double pixel);
-    void placePen(const TouchState& state, const ViewCamera& camera, double pixel);
+    void placePen(const Vec3& end, const TouchState& state, double pixel);
     void placeShell(const TouchState& state);
     void placeArrow(const TouchState& state, const ViewCamera& camera, double pixel);
     void placeContact(ContactMark& mark, const ContactReport& contact, double pixel, double proxyRadius);
@@ -162,6 +168,7 @@ struct TouchOverlay::Impl {
     bool visible = true, normals = true, planes = true;
     vtkNew<vtkPolyData> line;
     vtkNew<vtkTubeFilter> tube;
+    TouchShadow shadow; ///< drawn first
     std::vector<std::unique_ptr<ContactMark>> contacts;
     TouchShape spring, proxy, finger, halo;
     TouchArrow arrow;
@@ -204,6 +211,7 @@ void TouchOverlay::setVisible(bool visible) {
     if (impl_->pen) impl_->pen->setVisible(visible);
     if (visible) return;
     impl_->shell.reset();
+    impl_->shadow.hide();
     impl_->arrow.setVisible(false);
     for (auto& mark : impl_->contacts)
         mark->setVisible(false, false);
@@ -226,7 +234,8 @@ void TouchOverlay::setScale(double scale) {
     impl_->scale = scale;
 }
 
-void TouchOverlay::update(const TouchState& state, const ViewCamera& camera, double proxyRadius) {
+void TouchOverlay::update(const TouchState& state, const ViewCamera& camera, double proxyRadius,
+                          const Drop& onto) {
     if (!impl_->visible) return;
     const double pixel = impl_->scale * camera.pixelSize(state.proxy);
     const double atFinger = impl_->scale * camera.pixelSize(state.finger);
@@ -238,7 +247,16 @@ void TouchOverlay::update(const TouchState& state, const ViewCamera& camera, dou
     impl_->placeShell(state);
     impl_->placeSpring(state, pixel);
     impl_->placeArrow(state, camera, pixel);
-    if (impl_->pen) impl_->placePen(state, camera, pixel);
+    TouchCaster caster{.middle = state.proxy, .radius = radius};
+    if (impl_->pen) {
+        caster.end = penEnd(state, camera, pixel);
+        caster.rodRadius = kPen * pixel;
+        impl_->placePen(caster.end, state, pixel);
+    }
+    if (onto)
+        impl_->shadow.place(caster, camera, pixel, onto);
+    else
+        impl_->shadow.hide();
     for (int i = 0; i < kMaxModelPlanes; ++i) {
         const bool there = i < state.contacts;
         impl_->contacts[i]->setVisible(there && impl_->normals, there && impl_->planes);
@@ -255,9 +273,7 @@ void TouchOverlay::Impl::placeSpring(const TouchState& state, double pixel) {
     tube->SetRadius(kWire * pixel);
 }
 
-void TouchOverlay::Impl::placePen(const TouchState& state, const ViewCamera& camera, double pixel) {
-    const Vec3 along = kPenRight * camera.right() + kPenUp * camera.up() - kPenNear * camera.forward();
-    const Vec3 end = state.proxy + kPenLength * pixel * along.normalized();
+void TouchOverlay::Impl::placePen(const Vec3& end, const TouchState& state, double pixel) {
     pen->place(end, state.proxy, kPen * pixel, kPen * pixel, kPenPoint * pixel);
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/runtime/channels.h"
 #include "ui/base/theme.h"
+#include "ui/view/touch_shadow.h"
 #include "ui/view/view_camera.h"
 
 class vtkRenderer;
@@ -64,8 +65,9 @@ public:
     void setStylus(bool shown);
     /// Of everything but the length of the force's arrow.
     void setScale(double scale);
-    /// Places everything for the camera; pixels are logical ones. proxyRadius in m.
-    void update(const TouchState& state, const ViewCamera& camera, double proxyRadius);
+    /// Places everything for the camera; pixels are logical ones. proxyRadius in m. `onto`: what the shadow
+    /// falls on; nothing: there is none.
+    void update(const TouchState& state, const ViewCamera& camera, double proxyRadius, const Drop& onto = {});
 
 private:
     struct Impl;
