@@ -87,13 +87,13 @@ void ContactLoupe::mirrorStage() {
     model_->SetBackground2(stage_.solid->GetBackground2());
 }
 
-QImage ContactLoupe::draw(const ViewCamera& camera, const Bounds& shown, double ratio, bool coarse) {
+QImage ContactLoupe::draw(const ViewCamera& camera, const Bounds& shown, double ratio, Coarse coarse) {
     mirrorStage();
     const QSize pixels = (camera.size * ratio).toSize();
     QOpenGLFramebufferObject picture(pixels, loupeFormat());
     if (!picture.bind()) return {};
     aim(*model_->GetActiveCamera(), camera, shown);
-    const bool before = window_.drawsCoarse();
+    const Coarse before = window_.coarse();
     window_.setCoarse(coarse);
     window_.drawAside([&] {
         const int* all = window_.GetSize();

@@ -9,12 +9,12 @@
 #include <vtkOpenGLRenderer.h>
 
 #include "core/geometry/triangle_soup.h"
+#include "ui/view/gl_window.h"
 #include "ui/view/touch_overlay.h"
 #include "ui/view/view_camera.h"
 
 namespace tactum {
 
-class GlWindow;
 class ViewStage;
 
 /// Looks from the same eye at a point, which is in the middle of `size` then and so many times as large.
@@ -37,9 +37,9 @@ public:
     /// Finger, proxy, force and contacts, to be placed for the camera.
     TouchOverlay& marks() { return marks_; }
     /// With the window's context current; `camera` from closeUp(), and no larger than the window; `shown`:
-    /// what must not be clipped away; `ratio`: device pixels to a logical one; `coarse`: in coarser meshes
-    /// where there are some.
-    QImage draw(const ViewCamera& camera, const Bounds& shown, double ratio, bool coarse);
+    /// what must not be clipped away; `ratio`: device pixels to a logical one; `coarse`: as the
+    /// view in motion.
+    QImage draw(const ViewCamera& camera, const Bounds& shown, double ratio, Coarse coarse);
 
 private:
     /// Blends in the order of the props (see KeptRenderer).

@@ -12,6 +12,13 @@ class QSurface;
 
 namespace tactum {
 
+/// What is drawn more coarsely than it is, to save time.
+enum class Coarse {
+    None,
+    Relief, ///< noise without its finest octaves, of three planes mostly the one that faces most
+    Meshes, ///< that as well, and coarser meshes where there are some
+};
+
 /// A render window for a context that Qt owns. Thread: ui.
 class GlWindow : public vtkGenericOpenGLRenderWindow {
 public:
@@ -28,9 +35,9 @@ public:
     void PushContext() override;
     void PopContext() override;
 
-    /// Whether coarser meshes are drawn where there are some.
-    void setCoarse(bool coarse) { coarse_ = coarse; }
-    bool drawsCoarse() const { return coarse_; }
+    void setCoarse(Coarse coarse) { coarse_ = coarse; }
+    Coarse coarse() const { return coarse_; }
+    bool drawsCoarse() const { return coarse_ != Coarse::None; }
     /// Renders one frame into the framebuffer that is bound now, and leaves Qt's view of the state intact.
     void renderFrame();
     /// The same for what `draw` renders, in the size that it says itself.
@@ -42,7 +49,7 @@ private:
     std::function<void()> makeCurrent_;
     std::function<bool()> isCurrent_;
     std::vector<std::pair<QOpenGLContext*, QSurface*>> stack_;
-    bool coarse_ = false;
+    Coarse coarse_ = Coarse::None;
 };
 
 } // namespace tactum

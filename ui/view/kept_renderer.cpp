@@ -87,13 +87,13 @@ void KeptRenderer::DeviceRender() {
     if (beneath_) return drawOver();
     GlWindow& window = windowOf(*this);
     const int samples = window.GetMultiSamples();
-    Kept& exact = kept_[{samples, false}];
+    Kept& exact = kept_[{samples, Coarse::None}];
     if (!holds(exact) && window.drawsCoarse()) {
-        Kept& coarse = kept_[{samples, true}];
+        Kept& coarse = kept_[{samples, window.coarse()}];
         if (!holds(coarse)) return draw(coarse);
         if (std::chrono::steady_clock::now() - coarse.since < kSettles) return putBack(coarse);
     }
-    window.setCoarse(false);
+    window.setCoarse(Coarse::None);
     if (holds(exact)) return putBack(exact);
     drawExact(exact);
 }
@@ -102,7 +102,7 @@ void KeptRenderer::DeviceRender() {
 void KeptRenderer::drawOver() {
     if (VisibleActorCount() == 0) return; // nothing is added to what lies beneath
     GlWindow& window = windowOf(*this);
-    Kept& kept = kept_[{window.GetMultiSamples(), window.drawsCoarse()}];
+    Kept& kept = kept_[{window.GetMultiSamples(), window.coarse()}];
     holds(kept) ? putBack(kept) : draw(kept);
 }
 

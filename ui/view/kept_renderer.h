@@ -9,6 +9,7 @@
 #include <vtkNew.h>
 #include <vtkOpenGLRenderer.h>
 
+#include "ui/view/gl_window.h"
 #include "ui/view/picture_budget.h"
 
 class vtkOpenGLFramebufferObject;
@@ -67,7 +68,7 @@ private:
     void putBack(Kept& kept);
 
     KeptRenderer* beneath_ = nullptr;
-    std::map<std::pair<int, bool>, Kept> kept_; ///< by samples, and whether it is coarse
+    std::map<std::pair<int, Coarse>, Kept> kept_; ///< by samples
     PictureBudget budget_;
     vtkMTimeType drawnWith_ = 0; ///< the last change of a prop when the exact model was drawn last
     int drawn_ = 0;

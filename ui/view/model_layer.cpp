@@ -425,6 +425,13 @@ bool ModelLayer::takeFinished() {
     return any;
 }
 
+bool ModelLayer::hasRelief() const {
+    return std::ranges::any_of(models_, [](const auto& each) {
+        return std::ranges::any_of(each.second->parts,
+                                   [](const auto& part) { return part->relief.worn() && part->visible; });
+    });
+}
+
 bool ModelLayer::hasCoarse() const {
     return std::ranges::any_of(models_,
                                [](const auto& each) { return !each.second->coarse.corners.empty(); });

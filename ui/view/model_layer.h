@@ -62,6 +62,8 @@ public:
     bool pending() const;
     /// Whether there are coarser meshes for what moves.
     bool hasCoarse() const;
+    /// Whether a relief is drawn.
+    bool hasRelief() const;
     /// Waits for them.
     void finish();
 

@@ -1,6 +1,7 @@
 #include "ui/view/model_mapper.h"
 
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLHelper.h>
 #include <vtkOpenGLVertexBufferObject.h>
 #include <vtkPlaneCollection.h>
 #include <vtkPolyData.h>
@@ -32,9 +33,18 @@ void ModelMapper::setCoarse(vtkPolyData* mesh) {
 
 void ModelMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor) {
     const auto* window = GlWindow::SafeDownCast(renderer->GetRenderWindow());
-    if (!coarse_ || !window || !window->drawsCoarse()) return Superclass::RenderPiece(renderer, actor);
+    if (!coarse_ || !window || window->coarse() != Coarse::Meshes)
+        return Superclass::RenderPiece(renderer, actor);
     coarse_->SetClippingPlanes(GetClippingPlanes());
     coarse_->RenderPiece(renderer, actor);
+}
+
+void ModelMapper::SetPropertyShaderParameters(vtkOpenGLHelper& cells, vtkRenderer* renderer,
+                                              vtkActor* actor) {
+    Superclass::SetPropertyShaderParameters(cells, renderer, actor);
+    const auto* window = GlWindow::SafeDownCast(renderer->GetRenderWindow());
+    if (window && cells.Program->IsUniformUsed("feltQuick"))
+        cells.Program->SetUniformi("feltQuick", window->drawsCoarse());
 }
 
 void ModelMapper::ReplaceShaderClip(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,

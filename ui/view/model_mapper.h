@@ -8,9 +8,10 @@ class vtkPolyData;
 
 namespace tactum {
 
-/// In windows that draw coarsely (GlWindow::setCoarse()) the coarser mesh is drawn where there is one. All
-/// that is asked of the mapper but the picture is of the exact mesh. Where a section cuts it, the studio
-/// light shows its insides in a plain tone. Thread: ui.
+/// In windows that draw coarsely (GlWindow::setCoarse()) the coarser mesh is drawn where there is one, and
+/// the shader of a relief is told by its uniform "feltQuick". All that is asked of the mapper but the picture
+/// is of the exact mesh. Where a section cuts it, the studio light shows its insides in a plain tone. Thread:
+/// ui.
 class ModelMapper : public vtkOpenGLPolyDataMapper {
 public:
     static ModelMapper* New();
@@ -26,6 +27,7 @@ protected:
     ModelMapper();
     void ReplaceShaderClip(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
                            vtkActor* actor) override;
+    void SetPropertyShaderParameters(vtkOpenGLHelper& cells, vtkRenderer* renderer, vtkActor* actor) override;
 
 private:
     vtkSmartPointer<ModelMapper> coarse_;

@@ -22,6 +22,7 @@ namespace {
 // are those of texture_field.h, texture_mapping.cpp, texture_feel.cpp and procedural_texture.cpp, where the
 // why is.
 constexpr const char* kFunctions = R"(
+uniform int feltQuick; // ModelMapper says it
 in vec3 feltPlace;
 flat in mat3 feltToView;
 vec3 feltAlongX, feltAlongY;
@@ -73,7 +74,7 @@ vec3 feltNoise(int p, vec2 at) {
     uint seed = uint(feltNumbers[p + 5].x);
     for (int i = 0; i < 8; ++i) {
         float amplitude = feltNumbers[p + 6 + i / 4][i % 4];
-        if (amplitude == 0.0) break;
+        if (amplitude == 0.0 || (feltQuick > 0 && i > 1)) break;
         sum += amplitude * vec3(1.0, cells, cells) * feltLattice(cells * at, seed + uint(i));
         cells *= 2.0;
     }
@@ -99,6 +100,7 @@ vec4 feltPattern$(vec3 place, vec3 n) {
     vec3 p = feltFramed(@, place);
     vec3 side = vec3(dot(feltNumbers[@].xyz, n), dot(feltNumbers[@ + 1].xyz, n), dot(feltNumbers[@ + 2].xyz, n));
     vec3 weight = max(side * side * side * side - 1e-4, 0.0);
+    if (feltQuick > 0) weight = max(weight - 0.5 * max(weight.x, max(weight.y, weight.z)), 0.0);
     weight /= weight.x + weight.y + weight.z;
     vec4 sum = vec4(0.0);
     for (int axis = 0; axis < 3; ++axis) {

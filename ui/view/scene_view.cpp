@@ -91,12 +91,19 @@ bool SceneView::drawsCoarse() const {
 }
 
 // What is laid over triangles would lie beside coarser ones.
+Coarse SceneView::Impl::coarseInMotion() const {
+    const PictureBudget& budget = stage.solid->budget();
+    if (budget.affordsMotion()) return Coarse::None;
+    const bool bare = !faces.any() && paint.picture().parts.empty() && !marks.any();
+    if (bare && model.hasCoarse()) return Coarse::Meshes;
+    return budget.known() && model.hasRelief() ? Coarse::Relief : Coarse::None;
+}
+
 void SceneView::Impl::spareTime(PictureQuality quality) {
     PictureBudget& budget = stage.solid->budget();
     const bool quick = quality == PictureQuality::Quick, smoothed = quality == PictureQuality::Smoothed;
-    const bool bare = !faces.any() && paint.picture().parts.empty() && !marks.any();
     stage.ghost->setSmoothed(smoothed);
-    view.renderWindow().setCoarse(quick && bare && model.hasCoarse() && !budget.affordsMotion());
+    view.renderWindow().setCoarse(quick ? coarseInMotion() : Coarse::None);
     if (smoothed && !budget.known()) stage.solid->forget(); // to see what it takes
 }
 

@@ -36,6 +36,8 @@ struct SceneView::Impl {
 
     /// Where the processor draws: as well as the time allows that the last picture took.
     void spareTime(PictureQuality quality);
+    /// What a picture in motion leaves out where it takes too long.
+    Coarse coarseInMotion() const;
     /// All that must not be clipped away.
     Bounds shown() const;
     /// What the scene's objects cast shadows from; those that move are where they are now.

@@ -65,9 +65,8 @@ void SceneView::Impl::drawLoupe() {
     touching.update(*touch, close, proxyRadius, shadows());
     view.makeCurrent();
     const auto before = std::chrono::steady_clock::now();
-    const QImage picture =
-        loupe->picture.draw(close, shown(), view.devicePixelRatioF(),
-                            quick && model.hasCoarse() && !stage.solid->budget().affordsMotion());
+    const QImage picture = loupe->picture.draw(close, shown(), view.devicePixelRatioF(),
+                                               quick ? coarseInMotion() : Coarse::None);
     if (quick) loupe->pause = loupePause(std::chrono::steady_clock::now() - before);
     view.doneCurrent();
     emit view.loupeDrawn(picture, camera.project(touch->proxy).value_or(QPointF()));

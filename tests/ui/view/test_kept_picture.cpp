@@ -53,6 +53,7 @@ Scene sceneOf(Index meridians, Index rings) {
 struct KeptView {
     explicit KeptView(const Scene& shown) : scene(shown) {
         view.resize(500, 380);
+        view.setPictureLimits({.motion = 1e9}); // what is exact does not depend on the machine
         view.setScene(scene);
         setWorld();
         view.show();
@@ -377,6 +378,7 @@ void TestKeptPicture::figures() {
     const auto rings = Index(std::sqrt(triangles / 4.0));
     KeptView shown(ballScene(2 * rings, rings));
     shown.view.resize(1280, 800);
+    shown.view.setPictureLimits({});
     if (!test::waitFor([&] { return !shown.view.makesMeshes(); })) qFatal("the meshes are never made");
     const auto measure = [&](const char* what, bool atRest, int count, auto change) {
         std::vector<double> ms;
@@ -408,6 +410,17 @@ void TestKeptPicture::figures() {
         measure("selected", atRest, count, touch);
         shown.view.setSelectedFaces(0, {});
         measure("orbit", atRest, count, [&](int) { shown.view.moveCamera(0.05, 0); });
+    }
+    SectionPlane cut; // through the middle
+    for (const bool atRest : {false, true}) {
+        const int count = atRest ? 7 : 21;
+        shown.view.setSection(cut);
+        measure("cut, orbit", atRest, count, [&](int) { shown.view.moveCamera(0.05, 0); });
+        measure("cut, drag", atRest, count, [&](int i) {
+            cut.frame.translation.z() = 0.001 * (i % 20);
+            shown.view.setSection(cut);
+        });
+        shown.view.setSection({});
     }
     restFigures(shown);
     for (const TextureSource source : {TextureSource::Grooves, TextureSource::Noise})

@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include "core/haptics/compile.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/support/waiting.h"
@@ -171,6 +172,37 @@ private slots:
             shown.view.grabFramebuffer();
             return !shown.view.drawsCoarse();
         }));
+    }
+
+    /// Noise on three planes costs the most of all reliefs: it loses its finest octaves in motion alone.
+    void aReliefIsCoarseInMotion() {
+        Scene rough = ballScene(64, 32);
+        TextureLayer noise;
+        noise.pattern.source = TextureSource::Noise;
+        noise.pattern.mapping = TextureMapping::Triplanar;
+        noise.strength = 1e-3;
+        for (Surface& surface : rough.objects[0].surfaces)
+            surface.layers = {noise};
+        QualityView shown(kNoTime, 64, 32);
+        if (!shown.view.rendersInSoftware()) QSKIP("a graphics card draws all of it");
+        shown.turn();
+        QVERIFY(!shown.view.drawsCoarse()); // there is nothing to leave out
+        shown.view.setScene(rough);
+        shown.view.setWorld(compile(rough).value());
+        if (!test::waitFor([&] { return !shown.view.makesFelt(); })) qFatal("it is never made");
+        shown.rest();
+        const QImage quick = shown.turn();
+        QVERIFY(shown.view.drawsCoarse());
+        const QImage exact = shown.exact();
+        QVERIFY(!shown.view.drawsCoarse());
+        QCOMPARE_GT(differing(quick, exact, 4), 500);
+        QVERIFY(differing(quick, exact, 64) < 6000); // of 120,000: it looks like what it is
+        if (const QString to = qEnvironmentVariable("TACTUM_PICTURE"); !to.isEmpty()) {
+            quick.save(to + "-quick.png");
+            exact.save(to + "-exact.png");
+        }
+        QVERIFY(shown.turn() != quick);
+        QVERIFY(!shown.view.drawsCoarse()); // for that there is time now
     }
 
     void whatIsLaidOverLiesOnTheExactMesh() {
