@@ -62,6 +62,8 @@ void TestPanels::theViewHasItsRoom_data() {
     QTest::newRow("1280 x 800") << QSize(1280, 840) << false << 60 << 55;
     QTest::newRow("1280 x 800, folded") << QSize(1280, 840) << true << 60 << 75;
     QTest::newRow("1600 x 1000, folded") << QSize(1600, 1000) << true << 65 << 80;
+    QTest::newRow("1920 x 1080") << QSize(1920, 1120) << false << 70 << 60;
+    QTest::newRow("1920 x 1080, folded") << QSize(1920, 1120) << true << 70 << 80;
 }
 
 /// The model stays where it is under the finger; only when it has gone the plots come.
