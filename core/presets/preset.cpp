@@ -5,7 +5,6 @@
 
 #include "core/base/text.h"
 #include "core/files/gltf/gltf_surface.h"
-#include "core/scene/surface_colours.h"
 
 namespace tactum {
 namespace {
@@ -71,19 +70,13 @@ bool bringsColour(const Preset& preset) {
     return preset.colour && (sets(kStaticFriction) || sets(kDynamicFriction));
 }
 
-Surface withoutColourOf(Surface surface, const Preset& preset) {
-    if (bringsColour(preset) && surface.colour == preset.colour->cast<float>())
-        surface.colour = Surface{}.colour;
-    return surface;
-}
-
 Surface applied(Surface surface, const Preset& preset) {
     for (std::size_t i = 0; i < kMaterialFields.size(); ++i)
         if (preset.values[i])
             surface.material = withValue(surface.material, kMaterialFields[i], *preset.values[i]);
     if (preset.shading) surface.shading = *preset.shading;
     if (preset.layers) surface.layers = *preset.layers;
-    if (bringsColour(preset) && isOfPalette(surface.colour)) surface.colour = preset.colour->cast<float>();
+    if (bringsColour(preset)) surface.colour = preset.colour->cast<float>();
     return surface;
 }
 

@@ -47,12 +47,9 @@ const PresetSource& sourceOf(const Preset& preset, std::string_view key);
 bool bringsColour(const Preset& preset);
 
 /// The surface with the preset's values. Of the two friction coefficients the one that is not set follows, so
-/// that dynamic never exceeds static. The colour becomes the preset's where nobody chose it (isOfPalette())
-/// and the preset bringsColour(). Name, sides and lock stay the surface's own.
+/// that dynamic never exceeds static. The colour becomes the preset's where the preset bringsColour(). Name,
+/// sides and lock stay the surface's own.
 Surface applied(Surface surface, const Preset& preset);
-
-/// A surface whose colour is one that a preset brought: as good as chosen by nobody, that of a Surface.
-Surface withoutColourOf(Surface surface, const Preset& preset);
 
 /// A preset, and sentences about what could not become a part of it.
 struct LoadedPreset {

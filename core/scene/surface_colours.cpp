@@ -32,10 +32,6 @@ Eigen::Vector3f colourApartFrom(std::span<const Surface> surfaces) {
         kPalette, {}, [&](const Eigen::Vector3f& colour) { return distanceTo(colour, surfaces); });
 }
 
-bool isOfPalette(const Eigen::Vector3f& colour) {
-    return std::ranges::find(kPalette, colour) != kPalette.end();
-}
-
 void tellSurfacesApart(Scene& scene) {
     const auto isPlain = [](const Surface& surface) { return surface.colour == Surface{}.colour; };
     for (SceneObject& object : scene.objects) {

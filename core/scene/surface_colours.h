@@ -13,9 +13,6 @@ namespace tactum {
 /// the palette where there are none. Thread: any but real time.
 Eigen::Vector3f colourApartFrom(std::span<const Surface> surfaces);
 
-/// Whether a colour is one of the palette: nobody chose it. Thread: any.
-bool isOfPalette(const Eigen::Vector3f& colour);
-
 /// All surfaces of the scene that look alike: whose colour differs by no step of a screen. Itself is among
 /// them; none for a reference to nothing. Thread: any but real time.
 std::vector<SurfaceRef> surfacesColouredLike(const Scene& scene, SurfaceRef ref);

@@ -151,6 +151,8 @@ constexpr Command kCommands[] = {
     {"paste-feel", "Surface", "Paste &feel", "Ctrl+V", "", "The selected surfaces feel like the copied one"},
     {"same-feel", "Surface", "Same as the active &one", "Ctrl+L", "",
      "The other selected surfaces feel like the one that was selected last"},
+    {"surface-colour", "Surface", "Colo&ur...", "Shift+U", "",
+     "Another colour for the selected surfaces, to be seen by; what is felt stays"},
     {"normals-smooth", "Surface/&Normals", "&Smooth by the crease angle", "", "",
      "Force shading with computed normals: edges below the crease angle feel round", false, true},
     {"normals-file", "Surface/&Normals", "From the &file", "", "",

@@ -206,9 +206,9 @@ void PartsController::showMenu(const QPoint& at, QWidget& over) {
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const bool chosen = bench_.document.selection().has_value();
     const std::initializer_list<const char*> ofObjects = {
-        "rename",       "duplicate",  "remove",    "drop",    "",           "group", "ungroup",
-        "select-group", "",           "hide",      "isolate", "show-all",   "lock",  "",
-        "copy-feel",    "paste-feel", "same-feel", "",        "select-like"};
+        "rename",       "duplicate",  "remove",    "drop",           "",         "group",      "ungroup",
+        "select-group", "",           "hide",      "isolate",        "show-all", "lock",       "",
+        "copy-feel",    "paste-feel", "same-feel", "surface-colour", "",         "select-like"};
     const std::initializer_list<const char*> ofNothing = {
         "add", "add-box", "add-sphere", "add-cylinder", "add-plate", "", "show-all", "select-all", "fit"};
     for (const char* id : chosen ? ofObjects : ofNothing)

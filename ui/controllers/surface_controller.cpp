@@ -2,11 +2,18 @@
 
 #include <algorithm>
 
+#include <QColorDialog>
+
+#include "ui/panels/inspector.h"
 #include "ui/widgets/notice_bar.h"
+#include "ui/widgets/swatch.h"
 
 namespace tactum {
 
-SurfaceController::SurfaceController(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
+SurfaceController::SurfaceController(const Workbench& bench, Inspector& inspector)
+    : QObject(&bench.window), bench_(bench) {
+    bench.on("surface-colour", this, [this] { chooseColour(); });
+    connect(&inspector, &Inspector::colourAsked, this, &SurfaceController::chooseColour);
     bench.on("copy-feel", this, [this] { copyFeel(); });
     bench.on("paste-feel", this, [this] {
         if (!copied_) return bench_.notice.showNote(tr("Copy the feel of a surface first (Ctrl+C)."));
@@ -47,6 +54,29 @@ void SurfaceController::copyFeel() {
     copied_ = Feel{*bench_.document.surface(*active), bench_.document.scene().find(active->object)->geometry};
     bench_.notice.showNote(tr("The feel of %1 is copied; Ctrl+V gives it to the selected surfaces.")
                                .arg(QString::fromStdString(copied_->surface.name)));
+}
+
+void SurfaceController::chooseColour() {
+    const SurfaceRefs chosen = bench_.document.selected();
+    const auto isOpen = [&](SurfaceRef ref) { return !bench_.document.surface(ref)->locked; };
+    const auto first = std::ranges::find_if(chosen, isOpen);
+    if (first == chosen.end())
+        return bench_.notice.showNote(chosen.empty()
+                                          ? tr("Select a surface first.")
+                                          : tr("What is selected is locked; unlock it first (L)."));
+    auto* dialog = new QColorDialog(screenColour(bench_.document.surface(*first)->colour), &bench_.window);
+    dialog->setOption(QColorDialog::DontUseNativeDialog);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Colour"));
+    const Gesture gesture = bench_.document.beginTrial();
+    connect(dialog, &QColorDialog::currentColorChanged, this, [this, chosen, gesture](const QColor& colour) {
+        bench_.document.editSurfaces(
+            chosen, SceneChange::What::Material, tr("Colour of %1"),
+            [&](Surface& each) { each.colour = linearColour(colour); }, gesture);
+    });
+    connect(dialog, &QDialog::finished, this,
+            [this, gesture](int result) { bench_.document.endTrial(gesture, result != QDialog::Accepted); });
+    dialog->open();
 }
 
 void SurfaceController::setShading(const QString& text, const std::function<void(Shading&)>& change) {

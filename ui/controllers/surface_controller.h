@@ -12,14 +12,18 @@
 
 namespace tactum {
 
+class Inspector;
+
 /// Thread: ui.
 class SurfaceController : public QObject {
     Q_OBJECT
 public:
-    explicit SurfaceController(const Workbench& bench);
+    SurfaceController(const Workbench& bench, Inspector& inspector);
 
 private:
     void copyFeel();
+    /// Of the selected surfaces; seen at once, and one step when the dialog is accepted.
+    void chooseColour();
     void setShading(const QString& text, const std::function<void(Shading&)>& change);
     void turnOverSelected();
     void repairSelected(const QString& text, Result<Repaired> (*how)(const SharedSoup&, const Progress&));

@@ -6,16 +6,11 @@ namespace tactum {
 
 bool applyPreset(Document& document, const SurfaceRefs& refs, const Preset& preset,
                  const std::vector<StoredPreset>& library) {
-    const auto given = [&](Surface surface) {
-        for (const StoredPreset& stored : library)
-            if (bringsColour(preset)) surface = withoutColourOf(std::move(surface), stored.preset);
-        return applied(std::move(surface), preset);
-    };
     using What = SceneChange::What;
     SurfaceRefs changing;
     for (const SurfaceRef ref : refs)
         if (const Surface* now = document.surface(ref))
-            if (!now->locked && !(given(*now) == *now)) changing.push_back(ref);
+            if (!now->locked && !(applied(*now, preset) == *now)) changing.push_back(ref);
     if (changing.empty()) return false;
     const QString name = shownName(preset, library);
     // Each part is announced as what it is: a World follows values at once, normals take a worker.
@@ -25,7 +20,7 @@ bool applyPreset(Document& document, const SurfaceRefs& refs, const Preset& pres
     };
     edit(std::ranges::any_of(preset.values, [](const auto& value) { return value.has_value(); }),
          What::Material, [&](Surface& each) {
-             const Surface now = given(each);
+             const Surface now = applied(each, preset);
              each.material = now.material;
              each.colour = now.colour; // of materials alone, which have values
          });

@@ -7,9 +7,8 @@
 
 namespace tactum {
 
-/// One step of the history, whatever the preset sets and however many surfaces there are. A colour that came
-/// from a preset of the `library` makes room for that of another. Locked surfaces stay as they are. False
-/// where nothing was changed. Thread: ui.
+/// One step of the history, whatever the preset sets and however many surfaces there are, named as it is
+/// in the `library`. Locked surfaces stay as they are. False where nothing was changed. Thread: ui.
 bool applyPreset(Document& document, const SurfaceRefs& refs, const Preset& preset,
                  const std::vector<StoredPreset>& library = {});
 

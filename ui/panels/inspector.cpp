@@ -63,7 +63,12 @@ QWidget* Inspector::makeSurfaceSection() {
     auto* section = new QWidget;
     auto* rows = columnIn(section, kRhythm);
     auto* title = new QHBoxLayout;
-    swatch_ = new QLabel;
+    swatch_ = new QToolButton;
+    swatch_->setObjectName("surface-colour");
+    swatch_->setAutoRaise(true);
+    swatch_->setAccessibleName(tr("Colour"));
+    swatch_->setToolTip(tr("Another colour for the selected surfaces. It is only seen."));
+    connect(swatch_, &QToolButton::clicked, this, &Inspector::colourAsked);
     heading_ = new QLabel;
     heading_->setProperty("heading", true);
     title->addWidget(swatch_);
@@ -228,7 +233,7 @@ void Inspector::refreshHeading() {
                       : count > 1 ? tr("%1 surfaces").arg(count)
                                   : QString::fromStdString(surface->name));
     refreshLocked();
-    if (surface) swatch_->setPixmap(swatch(surface->colour));
+    if (surface) swatch_->setIcon(swatchIcon(surface->colour));
 }
 
 void Inspector::refreshLocked() {

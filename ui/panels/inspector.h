@@ -11,6 +11,7 @@
 class QButtonGroup;
 class QCheckBox;
 class QLabel;
+class QToolButton;
 
 namespace tactum {
 
@@ -24,6 +25,10 @@ public:
 
     /// The stiffness that is rendered at most, as a tick on its slider; `overridden`: it is not kept.
     void setCeiling(const CeilingNow& ceiling, bool overridden);
+
+signals:
+    /// The swatch was pressed.
+    void colourAsked();
 
 private:
     QWidget* makeSurfaceSection();
@@ -40,7 +45,7 @@ private:
 
     Document& document_;
     QLabel* heading_;
-    QLabel* swatch_;
+    QToolButton* swatch_;
     QWidget* surfaceFields_;
     QLabel* hint_;
     QLabel* locked_;                      ///< why nothing can be set

@@ -8,8 +8,17 @@
 
 namespace tactum {
 
+QColor screenColour(const Eigen::Vector3f& linear) {
+    const auto shown = [](float c) { return std::pow(std::clamp(c, 0.f, 1.f), 1 / 2.2f); };
+    return QColor::fromRgbF(shown(linear.x()), shown(linear.y()), shown(linear.z()));
+}
+
+Eigen::Vector3f linearColour(const QColor& screen) {
+    const auto linear = [](double c) { return float(std::pow(c, 2.2)); };
+    return {linear(screen.redF()), linear(screen.greenF()), linear(screen.blueF())};
+}
+
 QPixmap swatch(const Eigen::Vector3f& linear) {
-    auto shown = [](float c) { return std::pow(std::clamp(c, 0.f, 1.f), 1 / 2.2f); };
     const qreal ratio = qApp->devicePixelRatio();
     QPixmap pixmap(QSize(16, 16) * ratio);
     pixmap.setDevicePixelRatio(ratio);
@@ -17,7 +26,7 @@ QPixmap swatch(const Eigen::Vector3f& linear) {
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor::fromRgbF(shown(linear.x()), shown(linear.y()), shown(linear.z())));
+    painter.setBrush(screenColour(linear));
     painter.drawRoundedRect(QRectF(3, 3, 10, 10), 2.5, 2.5);
     return pixmap;
 }

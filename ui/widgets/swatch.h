@@ -9,6 +9,10 @@
 namespace tactum {
 
 /// `linear`: RGB as scenes store it, 0 to 1.
+/// As a screen shows a colour that is linear RGB, 0 to 1; and back.
+QColor screenColour(const Eigen::Vector3f& linear);
+Eigen::Vector3f linearColour(const QColor& screen);
+
 QPixmap swatch(const Eigen::Vector3f& linear);
 /// The same for a row of a list, in the same colour while the row is selected.
 QIcon swatchIcon(const Eigen::Vector3f& linear);

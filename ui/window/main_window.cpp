@@ -157,7 +157,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     new GroupController(bench_);
     connectSelecting();
     new ArrangeController(bench_, *arranging_, *arrangeStrip_);
-    new SurfaceController(bench_);
+    new SurfaceController(bench_, *docks_.inspector);
     new LoupeController(bench_);
     felt_ = new FeltController(bench_);
     new PlotController(bench_, *docks_.plot);

@@ -3,9 +3,12 @@
 
 #include <QAbstractButton>
 #include <QCheckBox>
+#include <QColorDialog>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QTest>
+#include <QToolButton>
 #include <QUndoStack>
 
 #include "tests/support/compare.h"
@@ -39,6 +42,7 @@ private slots:
     void whatIsNoNumberChangesNothing();
     void severalSurfacesShowMixed();
     void lockedSurfacesCannotBeSet();
+    void aColourIsChosen();
     void aFeelIsCopiedAndPasted();
     void othersBecomeTheSameAsTheActiveOne();
     void normalsAreTurnedOver();
@@ -152,6 +156,49 @@ void TestInspector::lockedSurfacesCannotBeSet() {
     program.type(QStringLiteral("stiffness"), QStringLiteral("333"));
     QCOMPARE_NE(surface(program, 0).material.stiffness, 333);
     QCOMPARE_EQ(surface(program, 1).material.stiffness, 333);
+}
+
+/// By the swatch, in the dialog's own field, seen before it is accepted; two of three, for one is locked.
+void TestInspector::aColourIsChosen() {
+    TouchedWindow program;
+    QVERIFY(program.open(QFINDTESTDATA("../../../resources/scenes/teapot.obj")));
+    Document& document = program.document;
+    document.setLocked({ref(program, 2)}, true);
+    document.select({ref(program, 0), ref(program, 2), ref(program, 1)});
+    const Scene before = document.scene();
+    const int steps = document.history().count();
+    const auto colour = [&](Index i) { return surface(program, i).colour; };
+    const auto type = [&](const char* name, const QString& text) -> QColorDialog* {
+        auto* swatch = program.window->findChild<QToolButton*>(QString::fromLatin1(name));
+        QTest::mouseClick(swatch, Qt::LeftButton);
+        auto* dialog = program.window->findChild<QColorDialog*>();
+        if (!dialog || !test::waitFor([&] { return dialog->isVisible(); })) return nullptr;
+        for (QLineEdit* line : dialog->findChildren<QLineEdit*>())
+            if (line->text().startsWith(u'#')) {
+                line->setFocus();
+                line->selectAll();
+                QTest::keyClicks(line, text);
+            }
+        return dialog;
+    };
+    const Eigen::Vector3f orange(1, std::pow(128 / 255.0F, 2.2F), 0);
+    for (const bool accepted : {false, true}) {
+        QPointer<QColorDialog> dialog = type("surface-colour", QStringLiteral("#ff8000"));
+        QVERIFY2(dialog, "no dialog");
+        for (const Index i : {0, 1}) // while it is open
+            COMPARE_NEAR((colour(i) - orange).norm(), 0.0F, 2e-3F, "");
+        QVERIFY(colour(2) == before.objects[0].surfaces[2].colour);
+        QTest::keyClick(dialog, accepted ? Qt::Key_Return : Qt::Key_Escape);
+        QTRY_VERIFY(!dialog);
+        QCOMPARE(document.history().count(), steps + accepted);
+        if (!accepted) QVERIFY(document.scene() == before);
+    }
+    COMPARE_NEAR((colour(0) - orange).norm(), 0.0F, 2e-3F, "");
+    document.history().undo();
+    QVERIFY(document.scene() == before);
+    document.select({ref(program, 2)});
+    program.command("surface-colour").trigger();
+    QVERIFY(!program.window->findChild<QColorDialog*>()); // it is locked
 }
 
 void TestInspector::aFeelIsCopiedAndPasted() {
