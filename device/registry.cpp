@@ -14,6 +14,7 @@
 #include "device/falcon/falcon_line.h"
 #include "device/listings_text.h"
 #include "device/plugin/plugin.h"
+#include "device/polhem/polhem.h"
 #include "device/profile.h"
 #include "device/remote/output_of.h"
 #include "device/remote/remote_device.h"
@@ -30,7 +31,8 @@ namespace {
 using Made = Result<std::unique_ptr<HapticDevice>>;
 
 constexpr const char* kSimulated = "simulated";
-constexpr int kMakersPatience = 5000; ///< ms, to say what is connected
+constexpr std::string_view kPolhem = "polhem"; ///< driven by ourselves as well, over a serial port
+constexpr int kMakersPatience = 5000;          ///< ms, to say what is connected
 constexpr std::chrono::seconds kMakersEvery{10};
 
 /// A device that we drive ourselves over USB.
@@ -151,15 +153,15 @@ DeviceListing listingOf(const UsbFamily& family, const UsbPlace& place) {
 
 std::vector<DeviceListing> listOwn() {
     const Result<std::vector<UsbPlace>> places = listUsb(wantedIds());
-    if (!places) return {{"", "USB", false, places.error().text}};
-    std::vector<DeviceListing> listings;
-    for (const UsbPlace& place : *places)
+    std::vector<DeviceListing> listings = listPolhem();
+    if (!places) listings.push_back({"", "USB", false, places.error().text});
+    for (const UsbPlace& place : places.value_or(std::vector<UsbPlace>()))
         for (const UsbFamily& family : kUsbFamilies)
             if (family.id == place.id) listings.push_back(listingOf(family, place));
     std::ranges::sort(listings, {}, &DeviceListing::id);
     if (listings.empty())
         listings.push_back(
-            {"", "USB", false, "no Novint Falcon and no WoodenHaptics is connected; plug one in"});
+            {"", "USB", false, "no Novint Falcon, WoodenHaptics or Polhem is connected; plug one in"});
     return listings;
 }
 
@@ -228,16 +230,17 @@ Made DeviceRegistry::make(const std::string& id) {
                                                               : std::make_shared<HandTarget>());
     const UsbFamily* const own = familyOf(kUsbFamilies, id);
     const MakersFamily* const makers = familyOf(kMakersFamilies, id);
-    if (!own && !makers)
+    const bool polhem = prefixOf(id) == kPolhem;
+    if (!own && !makers && !polhem)
         return inputError("There is no device " + inQuotes(id) +
                           ": tactum devices lists those that there are.");
     if (runsApart(id)) return makeRemoteDevice(settings_.program, {"device-server", id});
     if (makers)
         return makers->make(id, [family = makers->profile, folder = settings_.profiles](
                                     std::string_view model) { return figuresOf(model, family, folder); });
-    const auto profile = profileOf(own->prefix, settings_.profiles);
+    const auto profile = profileOf(own ? own->prefix : kPolhem, settings_.profiles);
     if (!profile) return tl::unexpected<Error>(profile.error());
-    return makeOwn(*own, id, *profile);
+    return own ? makeOwn(*own, id, *profile) : makePolhem(id, profile->info);
 }
 
 Result<std::string> DeviceRegistry::supply(const std::string& id, const std::filesystem::path& file) {

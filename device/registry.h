@@ -21,8 +21,8 @@ struct RegistrySettings {
     bool allApart = false; ///< our own drivers too
 };
 
-/// ids: "simulated", "falcon:PORT", "wooden-haptics:PORT", those of the makers' drivers, and
-/// "driver:LIBRARY:PORT".
+/// ids: "simulated", "falcon:PORT", "wooden-haptics:PORT", "polhem:PORT", those of the makers'
+/// drivers, and "driver:LIBRARY:PORT".
 class DeviceRegistry final : public DeviceCatalogue {
 public:
     explicit DeviceRegistry(RegistrySettings settings) : settings_(std::move(settings)) {}

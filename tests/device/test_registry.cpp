@@ -95,6 +95,23 @@ private slots:
         qunsetenv("HAPLY_2DIY");
     }
 
+    /// Where the bus cannot be asked too: its port is no USB device of ours.
+    void aSerialPortIsFoundAndMade() {
+        qputenv("TACTUM_POLHEM", "/dev/null"); // a port that is there
+        const auto listings = registry().list();
+        const DeviceListing* const found = named(listings, "Haptikfabriken Polhem");
+        QVERIFY(found && found->usable);
+        QVERIFY(!named(listings, "USB"));
+        QCOMPARE(found->id, std::string("polhem:null"));
+        const auto device = registry().make(found->id);
+        VERIFY_RESULT(device);
+        QCOMPARE((*device)->info().name, found->name);
+        QCOMPARE((*device)->info().maxForce, 5.0);
+        QVERIFY(!(*device)->open()); // /dev/null is no serial port
+        qunsetenv("TACTUM_POLHEM");
+        QVERIFY(!registry().make("polhem:null"));
+    }
+
     void whatIsPluggedInIsFoundAndMade() {
         EmulatedBus::the().plug(1, std::make_shared<Plugged>(0x0403, 0x6001)); // some other serial adapter
         EmulatedBus::the().plug(2, std::make_shared<Plugged>(0x0403, 0xcb48));

@@ -29,7 +29,8 @@ inline constexpr std::array kConnected{kPremiumConnected,
                                        Connected{"sigma", 0.3},
                                        Connected{"lambda", 0.3},
                                        Connected{"inverse3", 0.1},
-                                       Connected{"wooden-haptics", 0.1}};
+                                       Connected{"wooden-haptics", 0.1},
+                                       Connected{"polhem", 0.15}};
 
 /// As the driver says it, who knows of a light pinch alone.
 inline DeviceInfo connectedInfo(const Connected& device) {

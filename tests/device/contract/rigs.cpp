@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 
 #include "device/plugin/plugin.h"
+#include "device/polhem/polhem.h"
 #include "device/recorded_hand.h"
 #include "device/remote/remote_device.h"
 #include "device/simulated_hand.h"
@@ -19,6 +20,7 @@
 #include "device/wooden_haptics/wooden_haptics.h"
 #include "tests/device/falcon/falcon_bench.h"
 #include "tests/device/plugin/fake_2diy.h"
+#include "tests/device/polhem/fake_polhem.h"
 #include "tests/device/remote/served_device.h"
 #include "tests/device/vendor/fake_dhd.h"
 #include "tests/device/vendor/fake_haply.h"
@@ -204,24 +206,40 @@ private:
     FakeHaply service_;
 };
 
-/// A driver of other people's: the example, whose arms lie in a plane.
-class PluginRig final : public DeviceRig {
+/// With a board behind a pseudo-terminal.
+template <class Board> class BoardRig : public DeviceRig {
 public:
-    PluginRig() {
-        qputenv("TACTUM_DRIVERS", TACTUM_DRIVERS_OF_THE_BENCH);
-        device_ = makePlugin(listPlugins().at(0).id).value();
-    }
-    ~PluginRig() override { device_.reset(); }
+    ~BoardRig() override { device_.reset(); }
     std::optional<Vec3> pushed() const override { return board_.pushed(); }
-    bool pushesAlong(int axis) const override { return axis != 1; }
     bool pull() override {
         board_.unplug();
         return true;
     }
     void plug() override { board_.plug(); }
 
-private:
-    Fake2diy board_;
+protected:
+    explicit BoardRig(auto... how) : board_(how...) {}
+    Board board_;
+};
+
+template <FakePolhem::Firmware firmware> class PolhemRig final : public BoardRig<FakePolhem> {
+public:
+    PolhemRig() : BoardRig(firmware) { device_ = makePolhem(listPolhem().at(0).id, benchProfile()).value(); }
+    /// A motor's current is a whole number of milliamperes, and lifts the arm but for a few millinewtons.
+    std::optional<Vec3> pushed() const override {
+        const Vec3 force = board_.pushed();
+        return force.norm() < 0.02 ? Vec3(Vec3::Zero()) : force;
+    }
+};
+
+/// A driver of other people's: the example, whose arms lie in a plane.
+class PluginRig final : public BoardRig<Fake2diy> {
+public:
+    PluginRig() {
+        qputenv("TACTUM_DRIVERS", TACTUM_DRIVERS_OF_THE_BENCH);
+        device_ = makePlugin(listPlugins().at(0).id).value();
+    }
+    bool pushesAlong(int axis) const override { return axis != 1; }
 };
 
 /// Of a device in a process of its own the bench sees the force along z.
@@ -251,6 +269,8 @@ const std::map<std::string, std::function<std::unique_ptr<Rig>()>> kRigs{
     {"OpenHaptics", make<OpenHapticsRig>},
     {"Force Dimension", make<ForceDimensionRig>},
     {"Haply", make<HaplyRig>},
+    {"Polhem, places", make<PolhemRig<FakePolhem::Firmware::Of2020>>},
+    {"Polhem, counts", make<PolhemRig<FakePolhem::Firmware::Of2023>>},
     {"by a plug-in", make<PluginRig>},
     {"in another process", make<RemoteRig>},
 };
