@@ -67,4 +67,7 @@ cmake --build "$place/hl"
 # A driver of one's own, compiled with the installed header alone.
 mkdir "$place/drivers"
 cc -O2 -shared -fPIC "-I$place/tactum/include/tactum" "$source/docs/examples/driver/haply_2diy.c" -lm -o "$place/drivers/haply_2diy.so"
+cc -O2 -shared -fPIC "-I$place/tactum/include/tactum" "-I$source/docs/examples/driver/hapkit" "$source/docs/examples/driver/hapkit.c" -lm \
+    -o "$place/drivers/hapkit.so"
+TACTUM_DRIVERS="$place/drivers" HAPKIT=/dev/null "$place/tactum/bin/tactum" devices | grep -q 'driver:hapkit:/dev/null'
 TACTUM_DRIVERS="$place/drivers" HAPLY_2DIY=/dev/null "$place/tactum/bin/tactum" devices | grep -q 'driver:haply_2diy:/dev/null'

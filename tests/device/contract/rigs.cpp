@@ -9,8 +9,6 @@
 #include <QByteArray>
 #include <QTemporaryDir>
 
-#include "device/plugin/plugin.h"
-#include "device/polhem/polhem.h"
 #include "device/recorded_hand.h"
 #include "device/remote/remote_device.h"
 #include "device/simulated_hand.h"
@@ -18,9 +16,8 @@
 #include "device/vendor/haply_inverse3.h"
 #include "device/vendor/open_haptics.h"
 #include "device/wooden_haptics/wooden_haptics.h"
+#include "tests/device/contract/board_rigs.h"
 #include "tests/device/falcon/falcon_bench.h"
-#include "tests/device/plugin/fake_2diy.h"
-#include "tests/device/polhem/fake_polhem.h"
 #include "tests/device/remote/served_device.h"
 #include "tests/device/vendor/fake_dhd.h"
 #include "tests/device/vendor/fake_haply.h"
@@ -30,9 +27,6 @@
 namespace tactum::test {
 namespace {
 
-DeviceInfo benchProfile() {
-    return {.name = "On the bench", .maxForce = 4, .workspaceRadius = 0.05, .buttons = 1};
-}
 Result<DeviceInfo> benchFigures(std::string_view) {
     return benchProfile();
 }
@@ -44,15 +38,6 @@ template <class Fake> Fake& freshFake(const char* file, const char* symbol) {
     Fake& fake = reinterpret_cast<Fake& (*)()>(dlsym(library, symbol))();
     return *new (&fake) Fake;
 }
-
-class DeviceRig : public Rig {
-public:
-    HapticDevice& device() override { return *device_; }
-    void destroyDevice() override { device_.reset(); }
-
-protected:
-    std::unique_ptr<HapticDevice> device_;
-};
 
 class SimulatedRig final : public DeviceRig {
 public:
@@ -206,42 +191,6 @@ private:
     FakeHaply service_;
 };
 
-/// With a board behind a pseudo-terminal.
-template <class Board> class BoardRig : public DeviceRig {
-public:
-    ~BoardRig() override { device_.reset(); }
-    std::optional<Vec3> pushed() const override { return board_.pushed(); }
-    bool pull() override {
-        board_.unplug();
-        return true;
-    }
-    void plug() override { board_.plug(); }
-
-protected:
-    explicit BoardRig(auto... how) : board_(how...) {}
-    Board board_;
-};
-
-template <FakePolhem::Firmware firmware> class PolhemRig final : public BoardRig<FakePolhem> {
-public:
-    PolhemRig() : BoardRig(firmware) { device_ = makePolhem(listPolhem().at(0).id, benchProfile()).value(); }
-    /// A motor's current is a whole number of milliamperes, and lifts the arm but for a few millinewtons.
-    std::optional<Vec3> pushed() const override {
-        const Vec3 force = board_.pushed();
-        return force.norm() < 0.02 ? Vec3(Vec3::Zero()) : force;
-    }
-};
-
-/// A driver of other people's: the example, whose arms lie in a plane.
-class PluginRig final : public BoardRig<Fake2diy> {
-public:
-    PluginRig() {
-        qputenv("TACTUM_DRIVERS", TACTUM_DRIVERS_OF_THE_BENCH);
-        device_ = makePlugin(listPlugins().at(0).id).value();
-    }
-    bool pushesAlong(int axis) const override { return axis != 1; }
-};
-
 /// Of a device in a process of its own the bench sees the force along z.
 class RemoteRig final : public DeviceRig {
 public:
@@ -271,7 +220,8 @@ const std::map<std::string, std::function<std::unique_ptr<Rig>()>> kRigs{
     {"Haply", make<HaplyRig>},
     {"Polhem, places", make<PolhemRig<FakePolhem::Firmware::Of2020>>},
     {"Polhem, counts", make<PolhemRig<FakePolhem::Firmware::Of2023>>},
-    {"by a plug-in", make<PluginRig>},
+    {"2DIY, by a plug-in", make<PluginRig<Fake2diy>>},
+    {"Hapkit, by a plug-in", make<PluginRig<FakeHapkit>>},
     {"in another process", make<RemoteRig>},
 };
 
