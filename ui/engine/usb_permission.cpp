@@ -15,7 +15,8 @@ namespace {
 constexpr const char* kScript =
     "install -m 644 -- \"$1\" /etc/udev/rules.d/70-tactum.rules && "
     "printf \":$2 - %s\\n\" \"rtprio 90\" \"nice -15\" \"memlock unlimited\" >\"$3\" && chmod 644 \"$3\" && "
-    "udevadm control --reload && udevadm trigger --subsystem-match=usb";
+    "udevadm control --reload && udevadm trigger --subsystem-match=usb --subsystem-match=tty "
+    "--subsystem-match=hidraw --subsystem-match=misc";
 
 /// Whose account it is, as the system counts.
 QString account() {

@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QProgressBar>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTest>
 #include <algorithm>
@@ -452,6 +453,14 @@ void TestDevice::noDeviceGivesMoreThanThePersonPrefers() {
 }
 
 void TestDevice::theRuleForUsbIsOffered() {
+    // Whatever kind of thing the rule names has to be looked at anew: serial ports as well.
+    QFile shipped(QStringLiteral(TACTUM_RESOURCES "/udev/70-tactum.rules"));
+    QVERIFY(shipped.open(QIODevice::ReadOnly));
+    QStringList kinds;
+    static const QRegularExpression kKind(QStringLiteral("SUBSYSTEM==\"(\\w+)\""));
+    for (const auto& found : kKind.globalMatch(QString::fromUtf8(shipped.readAll())))
+        kinds.append(found.captured(1));
+    QVERIFY2(kinds.contains(QStringLiteral("tty")), qPrintable(kinds.join(u' ')));
     Desk desk;
     QVERIFY(desk.listed("Example arm"));
     QVERIFY(!desk.widget("device-permit").isVisible());
@@ -474,6 +483,8 @@ void TestDevice::theRuleForUsbIsOffered() {
                  line.contains(QStringLiteral("/etc/security/limits.d/tactum-%1.conf").arg(geteuid())) &&
                  line.contains(QFileInfo(rule).canonicalFilePath()),
              qPrintable(line));
+    for (const QString& kind : kinds)
+        QVERIFY2(line.contains(QStringLiteral("--subsystem-match=") + kind), qPrintable(kind));
     desk.click("device-permit-copy");
     QCOMPARE(QApplication::clipboard()->text(), line);
     // With somebody to ask: told which rule, and believed only when it says yes.
