@@ -52,7 +52,10 @@ void ImportController::connectDocument() {
         seen_ = false;
         endAsking();
     };
-    connect(&document, &Document::opened, this, another);
+    connect(&document, &Document::opened, this, [this, another] {
+        another();
+        if (bench_.document.history().count() == 0) bench_.notice.takeBack(fitted_); // of another scene
+    });
     connect(&document, &Document::geometryUpdated, this, another);
     connect(&document, &Document::added, this, another);
     connect(&document, &Document::openFailed, this, &ImportController::endAsking); // the choice is as before

@@ -241,11 +241,20 @@ private slots:
         QVERIFY(!program.command("taken-cm").isEnabled());
     }
 
+    void whatItSaidOfTheSizeGoes_data() {
+        QTest::addColumn<bool>("anew");
+        QTest::newRow("with another unit") << false;
+        QTest::newRow("with another scene") << true;
+    }
     void whatItSaidOfTheSizeGoes() {
+        QFETCH(bool, anew);
         TouchedWindow program;
         QVERIFY(program.open(writePlate(*folder_, 1))); // 3.2 m
         COMPARE_CONTAINS(said(program, "notice-text"), "has been scaled");
-        QVERIFY(choose(program, "import-unit-cm")); // 32 mm
+        if (anew)
+            program.document.begin({});
+        else
+            QVERIFY(choose(program, "import-unit-cm")); // 32 mm
         program.frames(3);
         auto* notice = program.window->findChild<QWidget*>(QStringLiteral("notice"));
         QVERIFY2(!notice->isVisible(), qPrintable(said(program, "notice-text")));
