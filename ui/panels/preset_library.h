@@ -1,4 +1,4 @@
-// The dock "Presets": search, a list with pictures and friction, and where each value comes from.
+// The dock "Presets": search, pictures by category, and where each value comes from.
 #pragma once
 
 #include <QByteArray>
@@ -8,11 +8,13 @@
 class QAction;
 class QLabel;
 class QLineEdit;
-class QTreeWidgetItem;
+class QListWidgetItem;
+class QScrollArea;
+class QToolButton;
 
 namespace tactum {
 
-class PresetList;
+class PresetGrid;
 class PresetStore;
 struct StoredPreset;
 
@@ -29,7 +31,7 @@ public:
     const StoredPreset* chosen() const;
     /// Once it has been read.
     void choose(const QString& file);
-    /// What is done with the chosen preset, as a menu of the list and as buttons.
+    /// What is done with the chosen preset, as a menu of the pictures and as buttons.
     void addActions(QAction* apply, QAction* save, const QList<QAction*>& others);
 
 signals:
@@ -39,26 +41,29 @@ signals:
     void removed(const QString& name);
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override; ///< down from the search into the list
+    void changeEvent(QEvent* event) override; ///< another theme
+    bool eventFilter(QObject* watched, QEvent* event) override; ///< down from the search to the pictures
 
 private:
+    void makeDetails();
+    void connectAll();
     void fill();
+    QListWidgetItem* addPicture(const StoredPreset& stored);
     void showChosen();
-    void rename(QTreeWidgetItem* item);
+    void rename(QListWidgetItem* item);
     void removeChosen();
     void editName();
 
     PresetStore& store_;
     QLineEdit* search_;
-    PresetList* list_;
+    PresetGrid* grid_;
+    QToolButton* unfold_;
     QLabel* details_;
+    QScrollArea* scroll_;
     QWidget* buttons_;
     QAction *rename_, *remove_;
     QString wanted_; ///< to be chosen once it is there
     bool filling_ = false;
 };
-
-/// All values of a preset with unit and source, a line each.
-QString detailsOf(const StoredPreset& stored);
 
 } // namespace tactum

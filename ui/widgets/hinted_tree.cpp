@@ -12,6 +12,14 @@
 
 namespace tactum {
 
+void paintHint(QWidget& viewport, const QString& hint) {
+    QPainter painter(&viewport);
+    painter.setPen(theme().textDimmed);
+    const int margin = 12;
+    painter.drawText(viewport.rect().adjusted(margin, kRhythm / 2, -margin, -kRhythm),
+                     int(Qt::AlignTop | Qt::AlignLeft) | Qt::TextWordWrap, hint);
+}
+
 HintedTree::HintedTree(const QString& hint, QWidget* parent) : QTreeWidget(parent), hint_(hint) {
     setHeaderHidden(true);
     setIndentation(2 * kRhythm);
@@ -38,24 +46,16 @@ void HintedTree::wrapRows() {
     }
 }
 
-QAction* HintedTree::actionOf(const QKeyEvent& key) const {
-    for (QAction* action : actions())
-        if (action->shortcutContext() == Qt::WidgetShortcut &&
-            action->shortcut() == QKeySequence(key.keyCombination()))
-            return action;
-    return nullptr;
-}
-
 bool HintedTree::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = *static_cast<QKeyEvent*>(event);
-        if (actionOf(key) || (keepsEditKeys() && isEditKey(key))) event->accept();
+        if (ownActionOf(*this, key) || (keepsEditKeys() && isEditKey(key))) event->accept();
     }
     return QTreeWidget::event(event);
 }
 
 void HintedTree::keyPressEvent(QKeyEvent* event) {
-    if (QAction* own = actionOf(*event)) return own->trigger(); // nothing while it is off
+    if (QAction* own = ownActionOf(*this, *event)) return own->trigger(); // nothing while it is off
     QTreeWidget::keyPressEvent(event);
 }
 
@@ -72,11 +72,7 @@ void HintedTree::paintEvent(QPaintEvent* event) {
     QTreeWidget::paintEvent(event);
     for (int i = 0; i < topLevelItemCount(); ++i)
         if (!topLevelItem(i)->isHidden()) return;
-    QPainter painter(viewport());
-    painter.setPen(theme().textDimmed);
-    const int margin = 12;
-    painter.drawText(viewport()->rect().adjusted(margin, kRhythm / 2, -margin, -kRhythm),
-                     int(Qt::AlignTop | Qt::AlignLeft) | Qt::TextWordWrap, hint_);
+    paintHint(*viewport(), hint_);
 }
 
 } // namespace tactum

@@ -5,6 +5,9 @@
 
 namespace tactum {
 
+/// In the place of rows, words about them.
+void paintHint(QWidget& viewport, const QString& hint);
+
 /// Keys of its own actions (Qt::WidgetShortcut) are its own while it has them: what the window does by the
 /// same key is not done from here, also while the action is off.
 class HintedTree : public QTreeWidget {
@@ -25,8 +28,6 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    QAction* actionOf(const QKeyEvent& key) const;
-
     QString hint_;
 };
 

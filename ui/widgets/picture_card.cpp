@@ -7,34 +7,15 @@
 #include <QMovie>
 #include <QStyleOptionToolButton>
 #include <QStylePainter>
-#include <QTextLayout>
 
 #include "ui/base/style.h"
+#include "ui/widgets/text_lines.h"
 
 namespace tactum {
 
 namespace {
 
 constexpr int kInside = kRhythm, kLeast = 34 * kRhythm; // pixels
-
-/// The text in lines of that width; what has no room ends with dots.
-QStringList wrapped(const QString& text, const QFont& font, int width, int most) {
-    QTextLayout layout(text, font);
-    QStringList lines;
-    layout.beginLayout();
-    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
-        line.setLineWidth(width);
-        const QString rest = text.mid(line.textStart());
-        if (lines.size() + 1 < most) {
-            lines << text.mid(line.textStart(), line.textLength());
-            continue;
-        }
-        lines << QFontMetrics(font).elidedText(rest, Qt::ElideRight, width);
-        break;
-    }
-    layout.endLayout();
-    return lines;
-}
 
 } // namespace
 
@@ -130,7 +111,7 @@ void PictureCard::paintDetails(QPainter& painter, const QRect& room) const {
     const int most = std::max(1, room.height() / metrics.height());
     QStringList lines;
     if (details_.size() == 1)
-        lines = wrapped(details_.front(), font(), room.width(), most);
+        lines = linesOf(details_.front(), font(), room.width(), most);
     else
         for (const QString& detail : details_)
             lines << metrics.elidedText(detail, Qt::ElideMiddle, room.width());

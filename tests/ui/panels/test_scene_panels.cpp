@@ -36,6 +36,7 @@
 #include "ui/panels/preset_library.h"
 #include "ui/panels/problems.h"
 #include "ui/widgets/number_box.h"
+#include "ui/widgets/picture_grid.h"
 
 namespace test_scene_panels {
 
@@ -413,48 +414,50 @@ private slots:
         const QString file = store.add(cork);
         QVERIFY(!file.isEmpty());
         QVERIFY(waitFor([&] { return store.find(file) != nullptr; }));
-        auto& list = part<QTreeWidget>(library, "preset-list");
+        auto& list = part<PictureGrid>(library, "preset-list");
         auto& search = part<QLineEdit>(library, "preset-search");
         auto& details = part<QLabel>(library, "preset-details");
-        QCOMPARE(list.topLevelItemCount(), int(store.presets().size()));
-        QCOMPARE(list.topLevelItem(0)->text(0), "Corky"); // own ones first
-        QVERIFY(list.topLevelItem(0)->flags() & Qt::ItemIsEditable);
-        QVERIFY(!(list.topLevelItem(1)->flags() & Qt::ItemIsEditable));
+        const auto picture = [&](int i) { return list.pictures().at(i); };
+        QCOMPARE(list.pictures().size(), qsizetype(store.presets().size()));
+        QCOMPARE(picture(0)->text(), "Corky"); // own ones first
+        QVERIFY(picture(0)->flags() & Qt::ItemIsEditable);
+        QVERIFY(!(picture(1)->flags() & Qt::ItemIsEditable));
         QSignalSpy chosen(&library, &PresetLibrary::chosenChanged),
             applied(&library, &PresetLibrary::applyAsked), removed(&library, &PresetLibrary::removed);
         QVERIFY(!library.chosen());
-        COMPARE_CONTAINS(details.text(), "Drag a preset onto the model");
+        COMPARE_CONTAINS(list.toolTip(), "Drag a preset onto the model");
+        COMPARE_CONTAINS(details.text(), "No preset is chosen");
         library.choose(file);
         QVERIFY(library.chosen());
         QCOMPARE(library.chosen()->preset.name, "Corky");
         QVERIFY(chosen.size() > 0);
-        while (list.topLevelItemCount() > 1) // what comes with the program is for its own tests
-            delete list.takeTopLevelItem(1);
+        while (list.count() > 2) // what comes with the program is for its own tests
+            delete list.takeItem(2);
         COMPARE_SHOWN(shownIn(library).replace(QFileInfo(file).absolutePath(), QStringLiteral("FOLDER")),
                       "presets");
         // A search keeps what fits; what was chosen stays as long as it does.
         search.setText(QStringLiteral("soft corky"));
-        QCOMPARE(list.topLevelItemCount(), 1);
+        QCOMPARE(list.pictures().size(), 1);
         QCOMPARE(library.chosen()->preset.name, "Corky");
         search.setText(QStringLiteral("no such thing"));
-        QCOMPARE(list.topLevelItemCount(), 0);
+        QCOMPARE(list.count(), 0);
         QVERIFY(!library.chosen());
         search.setText(QStringLiteral("cork"));
         QVERIFY(library.chosen()); // the first, by itself
         QTest::keyClick(&search, Qt::Key_Return);
         QCOMPARE(applied.size(), 1);
-        emit list.itemActivated(list.currentItem(), 0);
+        emit list.itemActivated(list.currentItem());
         QCOMPARE(applied.size(), 2);
         search.clear();
         QVERIFY(library.chosen()); // stays
         // What is dragged is the file's text.
-        const std::unique_ptr<QMimeData> carried(list.model()->mimeData({list.model()->index(0, 0)}));
+        const std::unique_ptr<QMimeData> carried(list.model()->mimeData({list.indexFromItem(picture(0))}));
         QVERIFY(carried);
         COMPARE_CONTAINS(QString::fromUtf8(carried->data(list.model()->mimeTypes().front())), "Corky");
         QCOMPARE(list.model()->mimeTypes().size(), 1);
         QCOMPARE(list.model()->supportedDragActions(), Qt::CopyAction);
         // Renamed in the list, then in the store.
-        list.topLevelItem(0)->setText(0, QStringLiteral("Cork oak"));
+        picture(0)->setText(QStringLiteral("Cork oak"));
         QVERIFY(waitFor([&] { return store.find(file) && store.find(file)->preset.name == "Cork oak"; }));
         const auto actions = list.actions();
         QAction *rename = nullptr, *remove = nullptr;
@@ -464,7 +467,7 @@ private slots:
         }
         QVERIFY(rename && remove);
         QVERIFY(rename->isEnabled());
-        list.setCurrentItem(list.topLevelItem(1)); // of the program
+        list.setCurrentItem(picture(1)); // of the program
         QVERIFY(!rename->isEnabled());
         QVERIFY(!remove->isEnabled());
         library.choose(file);
@@ -483,7 +486,7 @@ private slots:
         QVERIFY(waitFor([&] { return !store.loading() && !store.presets().empty(); }));
         library.show();
         QVERIFY(QTest::qWaitForWindowExposed(&library));
-        auto& list = part<QTreeWidget>(library, "preset-list");
+        auto& list = part<PictureGrid>(library, "preset-list");
         auto& search = part<QLineEdit>(library, "preset-search");
         search.setFocus();
         QVERIFY(!list.currentItem());
@@ -492,10 +495,10 @@ private slots:
         search.clear();
         list.setCurrentItem(nullptr);
         QTest::keyClick(&search, Qt::Key_Down);
-        QCOMPARE(list.currentItem(), list.topLevelItem(0));
-        list.setCurrentItem(list.topLevelItem(1));
+        QCOMPARE(list.currentItem(), list.pictures()[0]);
+        list.setCurrentItem(list.pictures()[1]);
         QTest::keyClick(&search, Qt::Key_Up); // what is chosen stays
-        QCOMPARE(list.currentItem(), list.topLevelItem(1));
+        QCOMPARE(list.currentItem(), list.pictures()[1]);
     }
 
     void buttonsOfTheLibrary() {
@@ -520,7 +523,7 @@ private slots:
             }
         QCOMPARE(applied.size(), 1);
         QStringList menu;
-        auto& list = part<QTreeWidget>(library, "preset-list");
+        auto& list = part<PictureGrid>(library, "preset-list");
         for (QAction* action : list.actions())
             menu << (action->isSeparator() ? QStringLiteral("-") : action->text());
         QCOMPARE(menu.join(u'|'), "&Rename|Re&move|-|&Apply it|&Save it|Other");

@@ -8,6 +8,7 @@
 #include <QDialog>
 #include <QDir>
 #include <QDockWidget>
+#include <QListWidget>
 #include <QPainter>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -193,8 +194,8 @@ void takePresets(TouchedWindow& program, const QDir& folder) {
     dock->raise();
     if (!test::waitFor([&] { return !store->loading() && !store->presets().empty(); }))
         qFatal("the presets do not come");
-    auto* list = dock->findChild<QTreeWidget*>(QStringLiteral("preset-list"));
-    QTreeWidgetItem* row = list->findItems(QStringLiteral("Brick"), Qt::MatchExactly).value(0);
+    auto* list = dock->findChild<QListWidget*>(QStringLiteral("preset-list"));
+    QListWidgetItem* row = list->findItems(QStringLiteral("Brick"), Qt::MatchExactly).value(0);
     if (!row) qFatal("there is no brick");
     list->setCurrentItem(row);
     list->scrollToItem(row, QAbstractItemView::PositionAtCenter);

@@ -8,12 +8,12 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QLabel>
+#include <QListWidget>
 #include <QMenuBar>
 #include <QMutex>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTest>
-#include <QTreeWidget>
 #include <QUndoStack>
 #include <QXmlStreamReader>
 
@@ -201,8 +201,8 @@ void TestLanguage::whatTheProgramBringsIsGerman() {
         QVERIFY(program.open(writeCube(folder_)));
         const auto* device = program.window->findChild<QLabel*>(QStringLiteral("status-device"));
         QTRY_VERIFY_WITH_TIMEOUT(device->text().startsWith(QStringLiteral("Simulierte Hand")), kPatience);
-        auto* presets = program.window->findChild<QTreeWidget*>(QStringLiteral("preset-list"));
-        QTRY_VERIFY_WITH_TIMEOUT(presets->topLevelItemCount() > 20, kPatience);
+        auto* presets = program.window->findChild<QListWidget*>(QStringLiteral("preset-list"));
+        QTRY_VERIFY_WITH_TIMEOUT(presets->count() > 20, kPatience);
         const auto honey = presets->findItems(QStringLiteral("Honig"), Qt::MatchExactly);
         QCOMPARE(honey.size(), 1);
         QVERIFY(presets->findItems(QStringLiteral("Honey"), Qt::MatchExactly).isEmpty());

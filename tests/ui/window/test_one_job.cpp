@@ -7,11 +7,11 @@
 #include <QAction>
 #include <QApplication>
 #include <QDropEvent>
+#include <QListWidget>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
-#include <QTreeWidget>
 #include <QUndoStack>
 
 #include "tests/support/compare.h"
@@ -103,7 +103,7 @@ private slots:
 /// What the row of the library carries is let go over the middle of the view.
 void TestOneJob::dropPreset(const QString& name) {
     auto* store = program_->window->findChild<PresetStore*>();
-    auto* list = program_->window->findChild<QTreeWidget*>(QStringLiteral("preset-list"));
+    auto* list = program_->window->findChild<QListWidget*>(QStringLiteral("preset-list"));
     QTRY_VERIFY_WITH_TIMEOUT(!store->loading() && !list->findItems(name, Qt::MatchExactly).isEmpty(),
                              kPatience);
     const auto row = list->indexFromItem(list->findItems(name, Qt::MatchExactly).front());

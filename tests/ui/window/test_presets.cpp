@@ -1,5 +1,8 @@
 // The library of presets in the real window: search, apply, drag onto the model, save, rename, remove,
 // import.
+#include <algorithm>
+#include <map>
+
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
@@ -11,8 +14,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QScrollBar>
 #include <QTest>
-#include <QTreeWidget>
 #include <QUndoStack>
 
 #include "core/presets/preset_file.h"
@@ -25,6 +28,7 @@
 #include "ui/panels/preset_library.h"
 #include "ui/view/scene_view.h"
 #include "ui/widgets/notice_bar.h"
+#include "ui/widgets/picture_grid.h"
 
 namespace test_presets {
 
@@ -38,8 +42,8 @@ PresetLibrary& library(const TouchedWindow& program) {
 PresetStore& store(const TouchedWindow& program) {
     return *program.window->findChild<PresetStore*>();
 }
-QTreeWidget& list(const TouchedWindow& program) {
-    return *library(program).findChild<QTreeWidget*>(QStringLiteral("preset-list"));
+PictureGrid& list(const TouchedWindow& program) {
+    return *library(program).findChild<PictureGrid*>(QStringLiteral("preset-list"));
 }
 QLineEdit& search(const TouchedWindow& program) {
     return *library(program).findChild<QLineEdit*>(QStringLiteral("preset-search"));
@@ -48,14 +52,14 @@ QString noticeOf(const TouchedWindow& program) {
     return program.window->findChild<NoticeBar*>()->text();
 }
 
-QTreeWidgetItem* row(const TouchedWindow& program, const QString& name) {
-    const auto found = list(program).findItems(name, Qt::MatchExactly, 0);
+QListWidgetItem* row(const TouchedWindow& program, const QString& name) {
+    const auto found = list(program).findItems(name, Qt::MatchExactly);
     return found.isEmpty() ? nullptr : found.front();
 }
 
 /// Waits until the library shows what is on the disk.
 bool ready(const TouchedWindow& program) {
-    return test::waitFor([&] { return !store(program).loading() && list(program).topLevelItemCount() > 0; });
+    return test::waitFor([&] { return !store(program).loading() && !list(program).pictures().isEmpty(); });
 }
 
 bool choose(const TouchedWindow& program, const QString& name) {
@@ -86,7 +90,7 @@ bool drop(TouchedWindow& program, const QMimeData& data, QPoint at) {
 }
 
 std::unique_ptr<QMimeData> dragged(const TouchedWindow& program, const QString& name) {
-    const StoredPreset* stored = store(program).find(row(program, name)->data(0, Qt::UserRole).toString());
+    const StoredPreset* stored = store(program).find(row(program, name)->data(Qt::UserRole).toString());
     auto data = std::make_unique<QMimeData>();
     data->setData(QString::fromLatin1(kPresetMime), stored->text.toUtf8());
     return data;
@@ -118,6 +122,10 @@ private slots:
     }
 
     void shippedOnesAreListedWithPictures();
+    void theGridFlowsWithItsWidth();
+    void groupsFoldAndAreRemembered();
+    void arrowsAndLettersLeadThroughTheGrid();
+    void aPictureIsDraggedOut();
     void searchLooksThroughNamesTagsAndSources();
     void applyingIsOneStep();
     void aMaterialLooksLikeItself();
@@ -136,13 +144,13 @@ private slots:
 void TestPresets::shippedOnesAreListedWithPictures() {
     const auto program = opened();
     QVERIFY(ready(*program));
-    QCOMPARE_GE(list(*program).topLevelItemCount(), 20);
-    QTreeWidgetItem* ice = row(*program, QStringLiteral("Ice on ice"));
+    QCOMPARE_GE(list(*program).pictures().size(), 20);
+    QListWidgetItem* ice = row(*program, QStringLiteral("Ice on ice"));
     QVERIFY(ice);
-    QVERIFY(!ice->icon(0).isNull());
-    COMPARE_BEGINS(ice->data(0, Qt::AccessibleDescriptionRole).toString(), QStringLiteral("0.1 / 0.03"));
-    COMPARE_CONTAINS(ice->toolTip(0), QStringLiteral("Hill"));
-    COMPARE_CONTAINS(ice->toolTip(0), QStringLiteral("0.030"));
+    QVERIFY(!ice->data(Qt::DecorationRole).value<QPixmap>().isNull());
+    COMPARE_BEGINS(ice->data(Qt::AccessibleDescriptionRole).toString(), QStringLiteral("0.1 / 0.03"));
+    COMPARE_CONTAINS(ice->toolTip(), QStringLiteral("Hill"));
+    COMPARE_CONTAINS(ice->toolTip(), QStringLiteral("0.030"));
     QVERIFY(choose(*program, QStringLiteral("Honey")));
     const QString details = library(*program).findChild<QLabel*>(QStringLiteral("preset-details"))->text();
     COMPARE_CONTAINS(details, QStringLiteral("8.00 N s/m"));
@@ -154,14 +162,119 @@ void TestPresets::shippedOnesAreListedWithPictures() {
     QCOMPARE_EQ(store(*program).presets().front().picture.size(), QSize(80, 80));
 }
 
+/// Pictures of one category side by side, as many as fit, and the heading above them.
+void TestPresets::theGridFlowsWithItsWidth() {
+    const auto program = opened();
+    QVERIFY(choose(*program, QStringLiteral("Brick")));
+    PictureGrid& grid = list(*program);
+    grid.setParent(nullptr); // as wide as it is made
+    const auto perRow = [&](int width) {
+        grid.resize(width, 400);
+        grid.show();
+        if (!QTest::qWaitForWindowExposed(&grid)) qFatal("the grid is not seen");
+        std::map<int, int> rows;
+        for (QListWidgetItem* each : grid.pictures())
+            ++rows[grid.visualItemRect(each).top()];
+        return std::ranges::max_element(rows, {}, [](const auto& row) { return row.second; })->second;
+    };
+    QCOMPARE(perRow(160), 2);
+    QCOMPARE(perRow(216), 3);
+    QCOMPARE(perRow(480), 5); // stiffness has five
+    for (QListWidgetItem* heading : grid.headings()) {
+        const QRect place = grid.visualItemRect(heading);
+        for (QListWidgetItem* each : grid.pictures())
+            QVERIFY(!place.intersects(grid.visualItemRect(each)));
+        QCOMPARE_LE(place.right(), grid.viewport()->width());
+    }
+    QVERIFY(!grid.horizontalScrollBar()->isVisible());
+    grid.setParent(&library(*program)); // its owner
+}
+
+void TestPresets::groupsFoldAndAreRemembered() {
+    {
+        const auto program = opened();
+        QVERIFY(choose(*program, QStringLiteral("Brick")));
+        PictureGrid& grid = list(*program);
+        QListWidgetItem* body = grid.headings().front();
+        grid.scrollToItem(body);
+        QListWidgetItem* first = row(*program, QStringLiteral("Joint cartilage"));
+        QVERIFY(!first->isHidden());
+        QTest::mouseClick(grid.viewport(), Qt::LeftButton, {}, grid.visualItemRect(body).center());
+        QVERIFY(first->isHidden());
+        QVERIFY(!row(*program, QStringLiteral("Brick"))->isHidden());
+        // What is searched for is seen, and folded again after that.
+        search(*program).setText(QStringLiteral("cartilage"));
+        QVERIFY(!row(*program, QStringLiteral("Joint cartilage"))->isHidden());
+        QCOMPARE(grid.headings().size(), 1);
+        list(*program).setCurrentItem(nullptr);
+        search(*program).clear();
+        QVERIFY(row(*program, QStringLiteral("Joint cartilage"))->isHidden());
+    }
+    const TouchedWindow again;
+    QVERIFY(ready(again));
+    QVERIFY(row(again, QStringLiteral("Joint cartilage"))->isHidden());
+    // By keys: to the heading above the first picture that is seen, and Enter.
+    PictureGrid& grid = list(again);
+    grid.setCurrentItem(grid.headings().front());
+    grid.setFocus();
+    QTest::keyClick(&grid, Qt::Key_Return);
+    QVERIFY(!row(again, QStringLiteral("Joint cartilage"))->isHidden());
+    QTest::keyClick(&grid, Qt::Key_Left);
+    QVERIFY(row(again, QStringLiteral("Joint cartilage"))->isHidden());
+}
+
+void TestPresets::arrowsAndLettersLeadThroughTheGrid() {
+    const auto program = opened();
+    QVERIFY(choose(*program, QStringLiteral("Brick")));
+    PictureGrid& grid = list(*program);
+    const auto now = [&] { return grid.currentItem()->text(); };
+    const auto key = [&](Qt::Key pressed) { QTest::keyClick(&grid, pressed); };
+    const QRect brick = grid.visualItemRect(grid.currentItem());
+    key(Qt::Key_Right);
+    QCOMPARE(now(), QStringLiteral("Glass on glass"));
+    QCOMPARE(grid.visualItemRect(grid.currentItem()).top(), brick.top()); // beside it
+    key(Qt::Key_Left);
+    key(Qt::Key_Up);
+    QVERIFY(PictureGrid::isHeading(grid.currentItem()));
+    QVERIFY(!library(*program).chosen());
+    key(Qt::Key_Down);
+    QCOMPARE(now(), QStringLiteral("Brick"));
+    key(Qt::Key_Down);
+    key(Qt::Key_Down);
+    const QRect below = grid.visualItemRect(grid.currentItem());
+    QCOMPARE(below.left(), grid.visualItemRect(row(*program, QStringLiteral("Brick"))).left());
+    QCOMPARE_GT(below.top(), grid.visualItemRect(row(*program, QStringLiteral("Brick"))).top());
+    QTest::keyClicks(&grid, QStringLiteral("ho"));
+    QCOMPARE(now(), QStringLiteral("Honey"));
+    program->document.select(SurfaceRef{program->document.scene().objects.front().id, 2});
+    key(Qt::Key_Return);
+    QCOMPARE(surfaceOf(*program, 2).material.viscosity, 8.0);
+}
+
+/// As a hand does it: pressed, moved, and what comes along is the preset under the pointer.
+void TestPresets::aPictureIsDraggedOut() {
+    const auto program = opened();
+    QVERIFY(choose(*program, QStringLiteral("Brick")));
+    PictureGrid& grid = list(*program);
+    QCOMPARE(grid.dragDropMode(), QAbstractItemView::DragOnly);
+    QVERIFY(grid.dragEnabled());
+    QVERIFY(row(*program, QStringLiteral("Brick"))->flags() & Qt::ItemIsDragEnabled);
+    QVERIFY(!(grid.headings().front()->flags() & Qt::ItemIsDragEnabled));
+    const QPoint at = grid.visualItemRect(row(*program, QStringLiteral("Brick"))).center();
+    QCOMPARE(grid.itemAt(at), row(*program, QStringLiteral("Brick")));
+    const std::unique_ptr<QMimeData> data(grid.model()->mimeData({grid.indexAt(at)}));
+    QVERIFY(data && drop(*program, *data, program->centre()));
+    QCOMPARE(program->document.history().undoText(), QStringLiteral("Preset Brick"));
+}
+
 void TestPresets::searchLooksThroughNamesTagsAndSources() {
     const auto program = opened();
     QVERIFY(ready(*program));
     const auto found = [&](const char* typed) {
         search(*program).setText(QString::fromLatin1(typed));
         QStringList names;
-        for (int i = 0; i < list(*program).topLevelItemCount(); ++i)
-            names << list(*program).topLevelItem(i)->text(0);
+        for (const QListWidgetItem* each : list(*program).pictures())
+            names << each->text();
         return names;
     };
     COMPARE_CONTAINS(found("ICE"), QStringLiteral("Ice on ice"));
@@ -304,7 +417,7 @@ void TestPresets::aDropChangesTheSurfaceUnderThePointer() {
 void TestPresets::rowsCarryTheirText() {
     const auto program = opened();
     QVERIFY(ready(*program));
-    QTreeWidgetItem* ice = row(*program, QStringLiteral("Ice on ice"));
+    QListWidgetItem* ice = row(*program, QStringLiteral("Ice on ice"));
     const std::unique_ptr<QMimeData> data(
         list(*program).model()->mimeData({list(*program).indexFromItem(ice)}));
     QVERIFY(data);
@@ -368,7 +481,7 @@ void TestPresets::ownOnesAreRenamedAndRemoved() {
     const QString file = store(*program).add(preset);
     QTRY_VERIFY_WITH_TIMEOUT(row(*program, QStringLiteral("Mine")), kPatience);
     QVERIFY(!(row(*program, QStringLiteral("Ice on ice"))->flags() & Qt::ItemIsEditable));
-    row(*program, QStringLiteral("Mine"))->setText(0, QStringLiteral("Yours"));
+    row(*program, QStringLiteral("Mine"))->setText(QStringLiteral("Yours"));
     // A name that comes after the file has gone does not bring it back.
     const QString late = store(*program).add(preset);
     QTRY_VERIFY_WITH_TIMEOUT(store(*program).find(late), kPatience);
@@ -422,8 +535,8 @@ void TestPresets::filesAreImportedAndApplied() {
                                     "<modelSet><material>Fur</material><mu>0.5</mu></modelSet>");
     store(*program).importFiles({model, file});
     QTRY_VERIFY_WITH_TIMEOUT(row(*program, QStringLiteral("Fur")), kPatience);
-    QTRY_COMPARE_WITH_TIMEOUT(list(*program).findItems(QStringLiteral("Given"), Qt::MatchExactly, 0).size(),
-                              2, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(list(*program).findItems(QStringLiteral("Given"), Qt::MatchExactly).size(), 2,
+                              kPatience);
     QVERIFY(program->document.scene() == before);
 }
 
