@@ -11,6 +11,7 @@
 #include "core/base/atomic_file.h"
 #include "core/presets/preset_file.h"
 #include "core/presets/read_hatt.h"
+#include "ui/base/search.h"
 #include "ui/base/words.h"
 #include "ui/document/preset_picture.h"
 
@@ -117,8 +118,7 @@ QString shownName(const Preset& preset, const std::vector<StoredPreset>& library
 }
 
 bool matches(const StoredPreset& stored, const QString& search) {
-    return std::ranges::all_of(search.toCaseFolded().split(u' ', Qt::SkipEmptyParts),
-                               [&](const QString& word) { return stored.words.contains(word); });
+    return hasWords(stored.words, searchWords(search));
 }
 
 PresetStore::PresetStore(QObject* parent) : QObject(parent) {
@@ -140,9 +140,13 @@ QString PresetStore::folder() {
 }
 
 std::vector<Preset> PresetStore::readAll() {
-    std::vector<Preset> presets = readFrom(folder());
+    std::vector<Preset> presets = readOwn();
     std::ranges::move(readShipped(), std::back_inserter(presets));
     return presets;
+}
+
+std::vector<Preset> PresetStore::readOwn() {
+    return readFrom(folder());
 }
 
 std::vector<Preset> PresetStore::readShipped() {

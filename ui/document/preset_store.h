@@ -45,7 +45,8 @@ public:
     /// What there is to be read now, without a store: the presets that come with the program, and the user's
     /// own. Thread: any but real time.
     static std::vector<Preset> readAll();
-    /// Those that come with the program alone. Thread: likewise.
+    /// Those alone, or those that come with the program. Thread: likewise.
+    static std::vector<Preset> readOwn();
     static std::vector<Preset> readShipped();
     bool loading() const { return job_.running() || reading_.running(); }
 

@@ -79,8 +79,7 @@ private:
 };
 
 /// What cannot be shown as a picture: an icon on a square.
-QPixmap plainPicture(const QString& name, qreal ratio) {
-    const int side = LayerList::kThumbnail;
+QPixmap plainPicture(const QString& name, int side, qreal ratio) {
     QPixmap pixmap(QSize(side, side) * ratio);
     pixmap.setDevicePixelRatio(ratio);
     pixmap.fill(theme().field);
@@ -91,6 +90,15 @@ QPixmap plainPicture(const QString& name, qreal ratio) {
 }
 
 } // namespace
+
+QPixmap layerThumbnail(const TexturePattern& pattern, int side, qreal ratio) {
+    QPixmap pixmap = QPixmap::fromImage(patternPicture(pattern, int(side * ratio)));
+    pixmap.setDevicePixelRatio(ratio);
+    const bool painted = pattern.source == TextureSource::Painted;
+    return pixmap.isNull()
+               ? plainPicture(painted ? QStringLiteral("paint") : QStringLiteral("picture"), side, ratio)
+               : pixmap;
+}
 
 LayerList::LayerList(QWidget* parent) : HintedTree(tr("No layers yet. Add one (+)."), parent) {
     setObjectName(QStringLiteral("layer-list"));
@@ -168,13 +176,7 @@ void LayerList::fill(QTreeWidgetItem& item, const TextureLayer& layer, bool isSo
 QPixmap LayerList::pictureOf(const TexturePattern& pattern) {
     if (const auto known = std::ranges::find(pictures_, pattern, &Picture::pattern); known != pictures_.end())
         return known->pixmap;
-    const qreal ratio = devicePixelRatioF();
-    QPixmap pixmap = QPixmap::fromImage(patternPicture(pattern, int(kThumbnail * ratio)));
-    pixmap.setDevicePixelRatio(ratio);
-    if (pixmap.isNull())
-        pixmap = plainPicture(pattern.source == TextureSource::Painted ? QStringLiteral("paint")
-                                                                       : QStringLiteral("picture"),
-                              ratio);
+    const QPixmap pixmap = layerThumbnail(pattern, kThumbnail, devicePixelRatioF());
     pictures_.push_back({pattern, pixmap});
     return pixmap;
 }

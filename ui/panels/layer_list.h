@@ -11,6 +11,9 @@
 
 namespace tactum {
 
+/// A square of `side` logical pixels: the pattern, or an icon where that cannot be shown.
+QPixmap layerThumbnail(const TexturePattern& pattern, int side, qreal ratio);
+
 /// Speaks of layers by their numbers in the scene, where 0 lies at the bottom. Changes nothing itself: it
 /// says what a person asked for. Thread: ui.
 class LayerList : public HintedTree {

@@ -4,13 +4,13 @@
 #include <utility>
 
 #include <QLabel>
-#include <QMenu>
 #include <QScrollArea>
 #include <QToolButton>
 
 #include "ui/base/shortcuts.h"
 #include "ui/base/style.h"
 #include "ui/panels/flat_swatch.h"
+#include "ui/panels/layer_chooser.h"
 #include "ui/panels/layer_fields.h"
 #include "ui/panels/layer_list.h"
 #include "ui/panels/layer_profile.h"
@@ -92,13 +92,10 @@ void LayerPanel::addButtons(const Actions& actions) {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
     auto* add = new QToolButton;
-    auto* menu = new QMenu(add);
-    for (const char* id :
-         {"layer-noise", "layer-grooves", "layer-dots", "layer-weave", "layer-image", "layer-painted"})
-        menu->addAction(&actions[id]);
+    auto* chooser = new LayerChooser(actions, this);
+    connect(chooser, &LayerChooser::layerChosen, this, &LayerPanel::addCopy);
+    connect(add, &QToolButton::clicked, chooser, [chooser, add] { chooser->openUnder(*add); });
     add->setObjectName(QStringLiteral("layer-add"));
-    add->setMenu(menu);
-    add->setPopupMode(QToolButton::InstantPopup);
     add->setAccessibleName(tr("Add a layer"));
     add->setToolTip(tr("Add a layer to all selected surfaces"));
     add->setText(tr("Add"));

@@ -51,6 +51,8 @@ public:
 
     // What the commands do.
     void add(TextureSource source);
+    /// The same layer on all selected surfaces.
+    void addCopy(const TextureLayer& of);
     /// Reads a picture on a worker and makes a layer of it on each of these surfaces.
     void addImage(const SurfaceRefs& on, const QString& file);
     void askForImage();

@@ -85,6 +85,14 @@ void LayerPanel::add(TextureSource source) {
     addOn(refs, [source](const TextureLayers& among) { return newLayer(source, among); });
 }
 
+void LayerPanel::addCopy(const TextureLayer& of) {
+    addOn(document_.selected(), [&of](const TextureLayers& among) {
+        TextureLayer copy = of;
+        copy.name = freshLayerName(among, of.name);
+        return copy;
+    });
+}
+
 void LayerPanel::askForImage() {
     const SurfaceRefs refs = document_.selected();
     const QString file = refs.empty() ? QString() : askForPicture(this);

@@ -6,11 +6,13 @@
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 #include <QUndoStack>
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/layered_window.h"
+#include "ui/widgets/picture_grid.h"
 
 namespace test_layers {
 
@@ -26,6 +28,7 @@ private slots:
     void init() { useSettingsIn(folder_.path()); }
 
     void layersAreAddedToAllSelectedSurfaces();
+    void aLayerIsChosenFromPictures();
     void eachEditIsOneStep();
     void noMoreThanAreFelt();
     void anotherTargetBeginsAnew();
@@ -55,6 +58,55 @@ void TestLayers::layersAreAddedToAllSelectedSurfaces() {
     window.undoAll();
     QVERIFY(window.program.document.scene() == before);
     QVERIFY(!window.panel().currentLayer());
+}
+
+void TestLayers::aLayerIsChosenFromPictures() {
+    Layered window(folder_);
+    auto* add = window.panel().findChild<QToolButton*>(QStringLiteral("layer-add"));
+    auto* kinds = window.panel().findChild<PictureGrid*>(QStringLiteral("layer-kinds"));
+    QVERIFY(!kinds->isVisible());
+    QTest::mouseClick(add, Qt::LeftButton);
+    QVERIFY(kinds->isVisible());
+    QCOMPARE(kinds->headings().size(), 3); // patterns, pictures, of presets
+    std::vector<QImage> pictures;
+    for (QListWidgetItem* each : kinds->pictures()) {
+        const QImage picture = each->data(Qt::DecorationRole).value<QPixmap>().toImage();
+        QVERIFY(!picture.isNull());
+        QVERIFY(std::ranges::find(pictures, picture) == pictures.end());
+        pictures.push_back(picture);
+    }
+    const auto place = [&](const char* name) {
+        QListWidgetItem* item = kinds->findItems(QString::fromLatin1(name), Qt::MatchExactly).value(0);
+        if (!item) qFatal("no %s", name);
+        kinds->scrollToItem(item);
+        return kinds->visualItemRect(item).center();
+    };
+    QTest::mouseClick(kinds->viewport(), Qt::LeftButton, {}, place("Dots"));
+    QTRY_COMPARE_WITH_TIMEOUT(window.names(), std::string("Dots"), kPatience);
+    QVERIFY(!kinds->isVisible());
+    // By keys: the first is there, letters lead to another, Enter takes it.
+    QTest::mouseClick(add, Qt::LeftButton);
+    QTest::keyClicks(kinds, QStringLiteral("we"));
+    QTest::keyClick(kinds, Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(window.names(), std::string("Dots Weave"), kPatience);
+    // A preset's layer comes as it is there, in one step, and takes nothing else along.
+    const Material before = window.program.document.scene().objects[0].surfaces[Layered::kFront].material;
+    QTest::mouseClick(add, Qt::LeftButton);
+    QTest::mouseClick(kinds->viewport(), Qt::LeftButton, {}, place("Brick"));
+    QTRY_COMPARE_WITH_TIMEOUT(window.names(), std::string("Dots Weave grain"), kPatience);
+    QCOMPARE(window.layers().back().strength, 4e-4);
+    QVERIFY(window.program.document.scene().objects[0].surfaces[Layered::kFront].material == before);
+    QCOMPARE(window.program.document.history().count(), 3);
+    // A heading folds and takes nothing; Esc closes.
+    QTest::mouseClick(add, Qt::LeftButton);
+    kinds->scrollToTop();
+    QTest::mouseClick(kinds->viewport(), Qt::LeftButton, {},
+                      kinds->visualItemRect(kinds->headings().front()).center());
+    QVERIFY(kinds->isVisible());
+    QVERIFY(kinds->pictures().front()->isHidden());
+    QTest::keyClick(kinds, Qt::Key_Escape);
+    QVERIFY(!kinds->isVisible());
+    QCOMPARE(window.program.document.history().count(), 3);
 }
 
 void TestLayers::noMoreThanAreFelt() {
