@@ -2780,6 +2780,10 @@
             <translation>Nachbarn jedes Dreiecks werden gesucht</translation>
         </message>
         <message>
+            <source>Finds what has all these words, on every page (%1)</source>
+            <translation>Findet, was alle diese Wörter hat, auf jeder Seite (%1)</translation>
+        </message>
+        <message>
             <source>Finger an&amp;d forces</source>
             <translation>&amp;Finger und Kräfte</translation>
         </message>
@@ -2942,6 +2946,10 @@
         <message>
             <source>Friction ratio</source>
             <translation>Reibungsverhältnis</translation>
+        </message>
+        <message>
+            <source>From a file...</source>
+            <translation>Aus einer Datei...</translation>
         </message>
         <message>
             <source>From the &amp;file</source>
@@ -3603,6 +3611,10 @@
             <translation>Texturebenen</translation>
         </message>
         <message>
+            <source>Layers to add</source>
+            <translation>Ebenen zum Hinzufügen</translation>
+        </message>
+        <message>
             <source>Layers, topmost first</source>
             <translation>Ebenen, oberste zuerst</translation>
         </message>
@@ -4187,6 +4199,10 @@
             <translation>Kein Objekt gewählt</translation>
         </message>
         <message>
+            <source>No page has these words.</source>
+            <translation>Keine Seite hat diese Wörter.</translation>
+        </message>
+        <message>
             <source>No picture</source>
             <translation>Kein Bild</translation>
         </message>
@@ -4201,6 +4217,10 @@
         <message>
             <source>No preset is chosen in the library.</source>
             <translation>Keine Vorgabe ist in der Bibliothek gewählt.</translation>
+        </message>
+        <message>
+            <source>No preset is chosen.</source>
+            <translation>Keine Vorgabe ist gewählt.</translation>
         </message>
         <message>
             <source>No problems found. What is doubtful about a mesh or a value will be listed here.</source>
@@ -4365,6 +4385,10 @@
         <message>
             <source>Of its own box; the other sides keep the proportion.</source>
             <translation>Des eigenen Quaders; die anderen Seiten behalten das Verhältnis.</translation>
+        </message>
+        <message>
+            <source>Of presets</source>
+            <translation>Aus Vorgaben</translation>
         </message>
         <message>
             <source>Of text, icons and fields, as part of what the screen asks for.</source>
@@ -4591,6 +4615,10 @@
             <translation>Seiten</translation>
         </message>
         <message>
+            <source>Pages of the guide</source>
+            <translation>Seiten des Handbuchs</translation>
+        </message>
+        <message>
             <source>Paint %1 of %2</source>
             <translation>Malen: %1 auf %2</translation>
         </message>
@@ -4605,6 +4633,10 @@
         <message>
             <source>Painted</source>
             <translation>Gemalt</translation>
+        </message>
+        <message>
+            <source>Painted by you</source>
+            <translation>Selbst gemalt</translation>
         </message>
         <message>
             <source>Pairs, the better one is chosen</source>
@@ -4648,6 +4680,10 @@
         </message>
         <message>
             <source>Pattern</source>
+            <translation>Muster</translation>
+        </message>
+        <message>
+            <source>Patterns</source>
             <translation>Muster</translation>
         </message>
         <message>
@@ -5335,6 +5371,10 @@ der Grenze rendern</translation>
         <message>
             <source>Search presets by name, tag or source</source>
             <translation>Vorgaben nach Name, Schlagwort oder Quelle suchen</translation>
+        </message>
+        <message>
+            <source>Search the guide</source>
+            <translation>Handbuch durchsuchen</translation>
         </message>
         <message>
             <source>Search the scene</source>
@@ -7060,6 +7100,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Wert</translation>
         </message>
         <message>
+            <source>Values and sources</source>
+            <translation>Werte und Quellen</translation>
+        </message>
+        <message>
             <source>Values of the preset and their sources</source>
             <translation>Werte der Vorgabe und ihre Quellen</translation>
         </message>
@@ -7214,6 +7258,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>What the brush paints</source>
             <translation>Was der Pinsel malt</translation>
+        </message>
+        <message>
+            <source>What the chosen preset sets, and where each value comes from</source>
+            <translation>Was die gewählte Vorgabe setzt, und woher jeder Wert kommt</translation>
         </message>
         <message>
             <source>What the file leaves open: one unit of it is 1 m; offered after opening, like the bar over the view</source>
@@ -7484,6 +7532,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Sie brauchen ein Lineal und ein paar Münzen bekannter Masse an einem Faden, lieber 50 g als 10. Was Sie nicht tun können, darf ausgelassen werden.</translation>
         </message>
         <message>
+            <source>Your own</source>
+            <translation>Eigene</translation>
+        </message>
+        <message>
             <source>Z</source>
             <translation>Z</translation>
         </message>
@@ -7630,6 +7682,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>finger to proxy</source>
             <translation>Finger zu Proxy</translation>
+        </message>
+        <message>
+            <source>folded</source>
+            <translation>zugeklappt</translation>
         </message>
         <message>
             <source>force</source>
@@ -8198,6 +8254,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>typical; tables disagree. %1</source>
             <translation>typisch; Tabellen weichen ab. %1</translation>
+        </message>
+        <message>
+            <source>unfolded</source>
+            <translation>aufgeklappt</translation>
         </message>
         <message>
             <source>until the participant goes on</source>

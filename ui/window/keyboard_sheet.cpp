@@ -13,6 +13,7 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
+#include "ui/base/search.h"
 #include "ui/base/shortcuts.h"
 #include "ui/base/style.h"
 
@@ -49,8 +50,7 @@ public:
         bool any = false;
         for (const Row& row : rows_) {
             const QString text = QStringList{title_, row.keys->text(), row.meaning->text()}.join(u' ');
-            const bool seen = std::ranges::all_of(
-                words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+            const bool seen = hasWords(text, words);
             row.keys->setVisible(seen);
             row.meaning->setVisible(seen);
             any = any || seen;
@@ -145,7 +145,7 @@ void showKeyboardSheet(QWidget* parent) {
     field->setClearButtonEnabled(true);
     QObject::connect(field, &QLineEdit::textChanged, page,
                      [nothing, topics = topicsIn(*grid)](const QString& text) mutable {
-                         const QStringList words = text.split(u' ', Qt::SkipEmptyParts);
+                         const QStringList words = searchWords(text);
                          bool any = false;
                          for (Topic& topic : topics)
                              any = topic.show(words) || any;

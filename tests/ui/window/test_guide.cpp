@@ -2,13 +2,19 @@
 // nowhere. With TACTUM_WRITE_GUIDE=1 the page of the keys is written anew.
 #include <QDir>
 #include <QFile>
+#include <QLineEdit>
+#include <QPointer>
 #include <QRegularExpression>
 #include <QTest>
 #include <QTextBrowser>
+#include <QTextFrame>
+#include <QTextTable>
+#include <QTreeWidget>
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "ui/base/shortcuts.h"
+#include "ui/base/style.h"
 #include "ui/window/guide_window.h"
 #include "ui/window/keyboard_sheet.h"
 
@@ -45,6 +51,9 @@ private slots:
     void commandsExist();
     void everyPageIsListed();
     void theProgramShowsIt();
+    void pagesStandInGroups();
+    void wordsAreFoundOnAllPages();
+    void itLooksLikeTheWindow();
 };
 
 void TestGuide::theKeysAreThoseOfTheProgram() {
@@ -105,20 +114,130 @@ void TestGuide::everyPageIsListed() {
         QVERIFY2(page == QLatin1String("README.md") || list.contains(u'(' + page + u')'), qPrintable(page));
 }
 
+namespace {
+
+/// The window of the guide, and what is in it.
+struct Guide {
+    Guide() {
+        parent.show();
+        showGuide(&parent);
+        window = parent.findChild<GuideWindow*>();
+        page = window->findChild<QTextBrowser*>();
+        list = window->findChild<QTreeWidget*>();
+        field = window->findChild<QLineEdit*>();
+        window->activateWindow(); // there may be no window manager
+        if (!QTest::qWaitForWindowActive(window)) qFatal("the guide is not seen");
+    }
+    QTreeWidgetItem* item(const char* text) const {
+        return list->findItems(QString::fromLatin1(text), Qt::MatchExactly | Qt::MatchRecursive).value(0);
+    }
+    void click(const QTreeWidgetItem* item) const {
+        list->scrollToItem(item);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(item).center());
+    }
+    bool shows(const char* file) const { return page->source().fileName() == QLatin1String(file); }
+
+    QWidget parent;
+    QPointer<GuideWindow> window;
+    QTextBrowser* page;
+    QTreeWidget* list;
+    QLineEdit* field;
+};
+
+} // namespace
+
 void TestGuide::theProgramShowsIt() {
     QCOMPARE(guidePage(), QFileInfo(kGuide.filePath(QStringLiteral("README.md"))).canonicalFilePath());
-    QWidget parent;
-    showGuide(&parent);
-    auto* pages = parent.findChild<QTextBrowser*>();
-    QVERIFY(pages);
-    COMPARE_CONTAINS(pages->toPlainText(), QStringLiteral("Task by task"));
-    pages->setSource(QUrl(QStringLiteral("feel.md")));
-    COMPARE_CONTAINS(pages->toPlainText(), QStringLiteral("Texture models of the Penn toolkit"));
+    const Guide guide;
+    COMPARE_CONTAINS(guide.page->toPlainText(), QStringLiteral("Task by task"));
+    const QTextCursor link = guide.page->document()->find(QStringLiteral("Giving a feel"));
+    QVERIFY(!link.isNull());
+    const QPoint at = guide.page->cursorRect(link).center() - QPoint(10, 0);
+    QTest::mouseClick(guide.page->viewport(), Qt::LeftButton, {}, at);
+    COMPARE_CONTAINS(guide.page->toPlainText(), QStringLiteral("Texture models of the Penn toolkit"));
+    QCOMPARE(guide.list->currentItem(), guide.item("Giving a feel")); // a link is followed in the list, too
     const QImage picture =
-        pages->loadResource(QTextDocument::ImageResource, QUrl(QStringLiteral("../pictures/presets.png")))
+        guide.page
+            ->loadResource(QTextDocument::ImageResource, QUrl(QStringLiteral("../pictures/presets.png")))
             .value<QImage>();
     QVERIFY(!picture.isNull());
-    QCOMPARE_LT(picture.width(), pages->window()->width());
+    QCOMPARE_LT(picture.width(), guide.page->width());
+}
+
+/// The groups are the headings of the first page, and every page stands under one of them.
+void TestGuide::pagesStandInGroups() {
+    const Guide guide;
+    const auto pages = guidePagesIn(guidePage());
+    QCOMPARE(qsizetype(pages.size()) + 1, kGuide.entryList({QStringLiteral("*.md")}, QDir::Files).size());
+    for (const GuidePage& page : pages) {
+        QVERIFY2(QFile::exists(page.file), qPrintable(page.file));
+        const QTreeWidgetItem* item = guide.item(qPrintable(page.title));
+        QVERIFY2(item && item->parent(), qPrintable(page.title));
+        QCOMPARE(item->parent()->text(0), page.group);
+    }
+    guide.click(guide.item("Safety"));
+    QVERIFY(guide.shows("safety.md"));
+    QTest::keyClick(guide.list, Qt::Key_Up);
+    QVERIFY(guide.shows("real-time.md"));
+    guide.click(guide.item("Devices")); // a heading is no page
+    QVERIFY(guide.shows("real-time.md"));
+}
+
+void TestGuide::wordsAreFoundOnAllPages() {
+    const Guide guide;
+    guide.list->setFocus();
+    QTest::keyClick(guide.window, Qt::Key_F, Qt::ControlModifier);
+    QVERIFY(guide.field->hasFocus());
+    QTest::keyClicks(guide.field, QStringLiteral("VISCOSITY slide"));
+    const auto* page = guide.item("Giving a feel");
+    QVERIFY(page && page->childCount() > 0);
+    QVERIFY(!guide.item("Saving"));
+    for (int i = 0; i < guide.list->topLevelItemCount(); ++i) {
+        const QTreeWidgetItem* place = guide.list->topLevelItem(i)->child(0);
+        QVERIFY(place);
+        QVERIFY(place->toolTip(0).contains(QStringLiteral("viscosity"), Qt::CaseInsensitive) ||
+                place->toolTip(0).contains(QStringLiteral("slide"), Qt::CaseInsensitive));
+    }
+    // The place is seen, and its words are marked.
+    guide.click(page->child(page->childCount() - 1));
+    QVERIFY(guide.shows("feel.md"));
+    const auto marks = guide.page->extraSelections();
+    QVERIFY(std::ranges::any_of(marks, [&](const auto& mark) {
+        const QRect at = guide.page->cursorRect(mark.cursor);
+        return guide.page->viewport()->rect().contains(at.center()) &&
+               mark.cursor.selectedText().compare(u"viscosity", Qt::CaseInsensitive) == 0;
+    }));
+    QTest::keyClick(guide.window, Qt::Key_F, Qt::ControlModifier);
+    QTest::keyClicks(guide.field, QStringLiteral("no such words"));
+    QCOMPARE(guide.list->topLevelItemCount(), 0);
+    // Esc ends the search, and then closes the guide.
+    QTest::keyClick(guide.field, Qt::Key_Escape);
+    QVERIFY(guide.window && guide.window->isVisible());
+    QVERIFY(guide.field->text().isEmpty());
+    QVERIFY(guide.item("Saving"));
+    QVERIFY(guide.page->extraSelections().isEmpty());
+    QTest::keyClick(guide.field, Qt::Key_Escape);
+    QVERIFY(!guide.window || !guide.window->isVisible());
+}
+
+/// Its grounds, words and lines are the theme's, also after the person has chosen the other one.
+void TestGuide::itLooksLikeTheWindow() {
+    for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
+        applyTheme(ThemeChoice::Dark);
+        const Guide guide;
+        guide.click(guide.item("Keyboard and mouse"));
+        applyTheme(choice);
+        const QTextTable* table = nullptr;
+        for (QTextFrame* frame : guide.page->document()->rootFrame()->childFrames())
+            if (!table) table = qobject_cast<QTextTable*>(frame);
+        QVERIFY(table);
+        const auto cell = table->cellAt(1, 0).format().toTableCellFormat();
+        QCOMPARE(cell.bottomBorderBrush().color(), theme().border);
+        QCOMPARE(table->format().border(), 0.0);
+        const QImage picture = guide.page->viewport()->grab().toImage();
+        QCOMPARE(picture.pixelColor(2, 2), theme().panel);
+    }
+    applyTheme(ThemeChoice::Dark);
 }
 
 TACTUM_GUI_TEST(TestGuide)
