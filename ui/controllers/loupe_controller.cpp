@@ -60,9 +60,9 @@ QRect LoupeController::column(int side) const {
     for (const QWidget* each : body_.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
         if (each == loupe_ || !each->isVisible() || each->isAncestorOf(&bench_.view)) continue;
         const QRect other(bench_.view.mapFrom(&body_, each->pos()), each->size());
-        if (!other.intersects(free)) continue;
-        if (other.center().y() < view.center().y())
-            free.setTop(other.bottom() + kFromEdge);
+        if (!other.intersects(QRect(free.left(), 0, side, view.height()))) continue;
+        if (other.center().y() < view.center().y()) // the axes are below it, too
+            free.setTop(std::max(free.top(), other.bottom() + kBelowAxes));
         else
             free.setBottom(other.top() - kFromEdge);
     }

@@ -53,7 +53,21 @@ void drawEnd(QPainter& painter, const AxisEnd& end, const Theme& theme) {
 
 } // namespace
 
-void drawAxes(QPainter& painter, const ViewCamera& camera, const Theme& theme) {
+QRectF axesPlace(QSizeF view, const QRegion& covered) {
+    const QRectF corner(view.width() - kSide - kAxesCorner, kAxesCorner, kSide, kSide);
+    QRectF place = corner;
+    while (place.bottom() <= view.height()) {
+        double top = place.top();
+        for (const QRect& part : covered) // what begins lower makes room itself, as the loupe does
+            if (QRectF(part).intersects(place) && part.top() < place.center().y())
+                top = std::max(top, QRectF(part).bottom() + kAxesCorner);
+        if (top == place.top()) return place;
+        place.moveTop(top);
+    }
+    return corner;
+}
+
+void drawAxes(QPainter& painter, const ViewCamera& camera, const Theme& theme, const QRegion& covered) {
     const double ratio = painter.device()->devicePixelRatioF();
     QImage image((QSizeF(kSide, kSide) * ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
     image.setDevicePixelRatio(ratio);
@@ -68,7 +82,7 @@ void drawAxes(QPainter& painter, const ViewCamera& camera, const Theme& theme) {
     for (const AxisEnd& end : axisEnds(camera, theme))
         drawEnd(inner, end, theme);
     inner.end();
-    painter.drawImage(QPointF(camera.size.width() - kSide - kAxesCorner, kAxesCorner), image);
+    painter.drawImage(axesPlace(camera.size, covered).topLeft(), image);
 }
 
 } // namespace tactum

@@ -1,6 +1,8 @@
 // The small coordinate cross in the corner. Private to this folder.
 #pragma once
 
+#include <QRegion>
+
 #include "ui/base/theme.h"
 #include "ui/view/view_camera.h"
 
@@ -8,7 +10,10 @@ class QPainter;
 
 namespace tactum {
 
-/// Draws the cross of the world's axes, with their letters, into the upper right corner.
-void drawAxes(QPainter& painter, const ViewCamera& camera, const Theme& theme);
+/// Where the cross is in a view of that size: in its upper right corner, or below what covers that; in the
+/// corner again where nothing is free. Logical pixels.
+QRectF axesPlace(QSizeF view, const QRegion& covered);
+/// Draws the cross of the world's axes, with their letters.
+void drawAxes(QPainter& painter, const ViewCamera& camera, const Theme& theme, const QRegion& covered = {});
 
 } // namespace tactum

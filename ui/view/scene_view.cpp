@@ -544,7 +544,7 @@ void SceneView::paintOver() {
     device.setDevicePixelRatio(devicePixelRatioF());
     QPainter painter(&device);
     painter.setFont(font());
-    drawAxes(painter, impl_->camera, impl_->theme());
+    drawAxes(painter, impl_->camera, impl_->theme(), impl_->covered);
     impl_->drawRegion(painter);
     if (impl_->brushAt) drawBrushRing(painter, *impl_->brushAt, impl_->brush, impl_->camera, impl_->theme());
     drawColliders(

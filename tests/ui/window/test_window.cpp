@@ -22,6 +22,7 @@
 #include "tests/ui/window/window_fixture.h"
 #include "ui/base/numbers.h"
 #include "ui/base/shortcuts.h"
+#include "ui/base/style.h"
 #include "ui/document/recent_files.h"
 #include "ui/panels/history_list.h"
 #include "ui/view/scene_view.h"
@@ -52,6 +53,7 @@ private slots:
     void aBrokenFileIsOneLineAndNoHarm();
     void aSceneThatCannotBeFeltSaysWhy();
     void aNoticeMovesNothing();
+    void theAxesAreSeenBelowANotice();
     void theRowOfAToolMovesNothing();
     void selectionGoesBothWays();
     void aSelectedRowKeepsItsColour();
@@ -128,6 +130,31 @@ void TestWindow::aNoticeMovesNothing() {
     QVERIFY2(notice->height() < before.height() / 4, "it is one line, not a curtain");
     const QWidget* seen = program.window->childAt(before.topLeft() + QPoint(before.width() / 2, 8));
     QVERIFY2(seen == notice || notice->isAncestorOf(seen), "the view hides it");
+}
+
+/// Its three lettered ends, each in the colour of its axis, are drawn where nothing lies over the view.
+void TestWindow::theAxesAreSeenBelowANotice() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const SceneView& view = program.window->view();
+    const auto seenFrom = [&] { // the uppermost row of the corner with a colour of the axes
+        const QImage picture = program.window->grab(program.placeOf(view)).toImage();
+        const qreal ratio = picture.devicePixelRatio();
+        for (int y = 0; y < int(200 * ratio); ++y)
+            for (int x = picture.width() - int(100 * ratio); x < picture.width(); ++x)
+                if (picture.pixelColor(x, y) == theme().axisY) return int(y / ratio);
+        return -1;
+    };
+    program.frames(5);
+    const int before = seenFrom();
+    QCOMPARE_GE(before, 0);
+    program.window->showFault(QStringLiteral("The disk is full; make room and save again."));
+    program.frames(5);
+    const auto* notice = program.window->findChild<QWidget*>(QStringLiteral("notice"));
+    QCOMPARE_GE(seenFrom(), notice->height());
+    QTRY_COMPARE_WITH_TIMEOUT(seenFrom(), before + notice->height(), kPatience); // as a whole
+    notice->findChild<QToolButton*>()->click();                                  // closes it
+    QTRY_COMPARE_WITH_TIMEOUT(seenFrom(), before, kPatience);
 }
 
 // The pointer is over the model when a key chooses the tool.
