@@ -7,6 +7,7 @@
 
 #include "core/scene/bodies.h"
 #include "core/scene/groups.h"
+#include "core/scene/kept_elsewhere.h"
 #include "core/scene/numbered_names.h"
 
 namespace tactum {
@@ -100,13 +101,13 @@ void copyMechanics(Scene& scene, const Mechanics& from, const GoingAlong& what,
     }
 }
 
-/// Places in the file that they are from, which is not that of this scene.
+/// Places in the file that they are from, which is not that of this scene. How surfaces look comes along.
 void forgetKept(Scene& scene) {
     scene.kept = {};
     for (SceneObject& object : scene.objects) {
         object.kept = object.keptMesh = {};
         for (Surface& surface : object.surfaces)
-            surface.kept = {};
+            surface.kept.index = surface.kept.json ? kOfAnotherFile : -1;
     }
     for (SavedCamera& camera : scene.cameras)
         camera.kept = camera.keptCamera = {};

@@ -115,6 +115,10 @@ bool isNothing(const Json& root) {
 
 } // namespace
 
+Json usualLook() {
+    return {{"metallicFactor", 0.0}, {"roughnessFactor", 0.7}};
+}
+
 Json foreignRoot(const Scene& scene) {
     Json root = scene.kept.foreign ? Json::parse(scene.kept.foreign->json, nullptr, false) : Json::object();
     if (!root.is_object()) return Json::object();
@@ -128,6 +132,26 @@ Json arrayCounts(const Json& root) {
         if (const auto found = root.find(key); found != root.end() && found->is_array() && !found->empty())
             counts[key] = found->size();
     return counts;
+}
+
+/// A factor goes with the picture that it scales: alone it would be the look of nothing.
+Json lookAlone(const Json& material) {
+    const auto taken = [](const Json& from, const char* picture, std::initializer_list<const char*> keys,
+                          Json& to) {
+        for (const char* key : keys)
+            if (const Json* found = member(from, picture) ? nullptr : member(from, key)) to[key] = *found;
+    };
+    const Json* whole = member(material, "pbrMetallicRoughness");
+    const Json from = whole && whole->is_object() ? *whole : Json::object();
+    Json pbr = Json::object(), look = Json::object();
+    if (member(from, "metallicRoughnessTexture")) pbr = usualLook();
+    taken(from, "metallicRoughnessTexture", {"metallicFactor", "roughnessFactor"}, pbr);
+    taken(from, "baseColorTexture", {"baseColorFactor"}, pbr);
+    taken(material, "emissiveTexture", {"emissiveFactor"}, look);
+    if (!member(from, "baseColorTexture")) taken(material, "", {"alphaMode", "alphaCutoff"}, look);
+    taken(material, "", {"name", "doubleSided"}, look);
+    look["pbrMetallicRoughness"] = std::move(pbr);
+    return look;
 }
 
 ForeignTree::ForeignTree(Json& root) : root_(root) {

@@ -17,6 +17,13 @@ Json foreignRoot(const Scene& scene);
 /// How many elements each array of a root has; 0 for one that is not there.
 Json arrayCounts(const Json& root);
 
+/// How rough and metallic a surface is of which no file said so.
+Json usualLook();
+
+/// Of a material that stood in another file what needs nothing else of that: its name and its look in
+/// numbers.
+Json lookAlone(const Json& material);
+
 /// The nodes of a root that is being written.
 class ForeignTree {
 public:

@@ -16,6 +16,7 @@
 #include "core/files/gltf/soup_shelf.h"
 #include "core/files/gltf/write_physics.h"
 #include "core/files/unique_names.h"
+#include "core/scene/kept_elsewhere.h"
 #include "core/scene/world_fields.h"
 
 namespace tactum {
@@ -173,9 +174,9 @@ int GltfWriter::addMaterial(const SceneObject& object, Index at, Paints& paints)
     const WriteShared shared{[&](const auto& image) { return data_.addTexture(image); },
                              [&](const auto& painted) { return paintJson(painted, object, paints); }};
     Json material = overlaid(surface.kept, {{"name", surface.name}});
+    if (surface.kept.index == kOfAnotherFile) material = lookAlone(material);
     if (!surface.kept.json)
-        material.merge_patch({{"doubleSided", true},
-                              {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.7}}}});
+        material.merge_patch({{"doubleSided", true}, {"pbrMetallicRoughness", usualLook()}});
     objectAt(material, "pbrMetallicRoughness")["baseColorFactor"] = colourJson(material, surface.colour);
     Json ours = surfaceJson(surface, shared);
     if (const Json* before = extensionOf(material)) keepUnknownKeys(*before, ours);
