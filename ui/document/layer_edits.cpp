@@ -5,6 +5,7 @@
 
 #include <QFileInfo>
 
+#include "core/surface/texture_matters.h"
 #include "ui/base/numbers.h"
 #include "ui/base/words.h"
 
@@ -89,24 +90,6 @@ TextureLayers alone(TextureLayers layers, int number) {
     for (int i = 0; i < int(layers.size()); ++i)
         layers[std::size_t(i)].enabled = i == number;
     return layers;
-}
-
-bool matters(const PatternField& field, const TexturePattern& pattern) {
-    using From = TextureSource;
-    const auto is = [&](const Parameter& parameter) { return field.parameter == &parameter; };
-    if (pattern.source == From::Painted) return false;
-    // One repeat fills the unit square whatever its size.
-    if (is(kTextureSize)) return pattern.mapping != TextureMapping::UvUnit;
-    if (is(kTextureRadius))
-        return pattern.mapping == TextureMapping::Cylindrical || pattern.mapping == TextureMapping::Spherical;
-    if (is(kTextureFill) || is(kTextureSoftness))
-        return pattern.source == From::Grooves || pattern.source == From::Dots;
-    if (is(kTextureOctaves) || is(kTextureSeed)) return pattern.source == From::Noise;
-    return true;
-}
-
-bool strengthMatters(const TextureLayer& layer) {
-    return !isHeight(layer.target) || layer.blend != TextureBlend::Multiply || layer.ownPlane;
 }
 
 bool hasFrame(const TexturePattern& pattern) {

@@ -42,10 +42,6 @@ std::optional<int> followed(const TextureLayers& now, std::size_t countBefore, i
 /// Every other layer switched off: what is felt of a surface with a layer alone.
 TextureLayers alone(TextureLayers layers, int number);
 
-/// Whether a number makes a difference for this source and mapping.
-bool matters(const PatternField& field, const TexturePattern& pattern);
-/// Whether the strength does: a height that is multiplied takes the bare pattern.
-bool strengthMatters(const TextureLayer& layer);
 /// Whether the pattern lies on a frame that can be moved about the model.
 bool hasFrame(const TexturePattern& pattern);
 

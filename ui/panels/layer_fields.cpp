@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/surface/texture_matters.h"
 #include "ui/base/style.h"
 #include "ui/base/words.h"
 #include "ui/panels/choice_box.h"

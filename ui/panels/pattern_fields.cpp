@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "core/surface/texture_matters.h"
 #include "ui/base/style.h"
 #include "ui/base/words.h"
 #include "ui/panels/choice_box.h"

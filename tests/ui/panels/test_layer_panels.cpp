@@ -15,6 +15,7 @@
 #include <QWheelEvent>
 
 #include "core/surface/texture_image.h"
+#include "core/surface/texture_matters.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
