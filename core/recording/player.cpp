@@ -287,6 +287,7 @@ void Player::noteStep(std::size_t i, const HapticOutput& output) {
     if (const std::string what = difference(row, now); !what.empty())
         differs(i, "haptic step", modelSteps_ - 1, row.time, what);
     hand.touch = {output, vectorOf(row.finger), stateOf(i).press.coupling};
+    hand.touched = touchedPlace(output, *worldOf(row.world));
     proxy_.boundHits += output.report.boundHit;
     proxy_.squeezed += output.report.squeezed;
     proxy_.passed += output.report.passed;
@@ -306,9 +307,7 @@ void Player::stepServo(std::size_t i) {
         differs(i, "servo tick", number, row.time, what);
     note(hand.servo, output, hand.state);
     hand.count(row);
-    hand.trace.push_back(tracePoint(
-        {.t = row.time, .finger = hand.servo.finger, .force = hand.servo.force, .energy = hand.servo.energy},
-        stateOf(i).model));
+    hand.trace.push_back(tracePoint(row.time, hand.servo, output, stateOf(i).model, hand.touched));
 }
 
 void Player::differs(std::size_t hand, const char* loop, std::uint64_t number, double time,

@@ -91,6 +91,7 @@ private:
         ServoState state;
         std::size_t nextServo = 0;
         TouchTelemetry touch;
+        TouchedPlace touched; ///< of it
         ServoTelemetry servo;
         RecentPeriods periods;
         std::vector<TracePoint> trace;

@@ -22,6 +22,7 @@
 #include "core/base/vec.h"
 #include "core/base/wait_free.h"
 #include "core/haptics/haptic_step.h"
+#include "core/haptics/touched_place.h"
 #include "core/haptics/world.h"
 #include "core/port/workspace.h"
 #include "core/runtime/recorder.h"
@@ -57,10 +58,11 @@ struct WorldTelemetry {
 /// The first hand, and what it shares with others.
 struct ProxyTelemetry : TouchTelemetry, WorldTelemetry {};
 
-/// What the servo renders, and how many steps of the proxy led to it.
+/// What the servo renders, how many steps of the proxy led to it, and what the last of them touched.
 struct NumberedModel {
     LocalContactModel model;
     std::uint64_t steps = 0;
+    TouchedPlace touched{};
 };
 
 /// Small orders to the proxy loop.

@@ -10,7 +10,7 @@ namespace tactum {
 namespace {
 
 /// Another one with every change of a member below: who reads an older one would misread it.
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr std::size_t kLongestSentence = 1000;
 
 // Each function names all members of its struct: one more there does not compile here until it has its line.
@@ -107,8 +107,13 @@ template <class Io> void bytes(Io& io, ServoTelemetry& servo) {
 }
 
 template <class Io> void bytes(Io& io, TracePoint& point) {
-    auto& [t, finger, proxy, force, energy, touching, normalForce, tangentialForce] = point;
-    io(t), io(finger), io(proxy), io(force), io(energy), io(touching), io(normalForce), io(tangentialForce);
+    auto& [t, finger, proxy, force, wanted, energy, touching, normalForce, tangentialForce, gain, limited,
+           revision, touched] = point;
+    auto& [contacts, object, surface, friction] = touched;
+    io(t), io(finger), io(proxy), io(force), io(wanted), io(energy), io(touching), io(normalForce);
+    io(tangentialForce), io(gain), io(limited), io(revision), io(contacts), io(object), io(surface);
+    io.demand(contacts >= 0 && contacts <= kMaxModelPlanes, "there are more contacts than can be");
+    choose(io, friction, kContactFrictions);
 }
 
 template <class Io> void bytes(Io& io, EngineReport& report) {

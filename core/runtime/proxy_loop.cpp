@@ -126,10 +126,11 @@ PerHand<HapticOutput> step(Proxy& proxy, const Fingers& fingers, const Tick& tic
     return outputs;
 }
 
-void publishModels(Proxy& proxy) noexcept {
+void publishModels(Proxy& proxy, const PerHand<HapticOutput>& outputs) noexcept {
     for (std::size_t i = 0; i < proxy.channels.hands(); ++i) {
         HandChannels& hand = proxy.channels.hand(i);
-        hand.contactModel.write({stateOf(proxy, i).model, hand.recorder.proxyCount()});
+        hand.contactModel.write(
+            {stateOf(proxy, i).model, hand.recorder.proxyCount(), touchedPlace(outputs[i], *proxy.world)});
     }
 }
 
@@ -204,7 +205,7 @@ void proxyLoop(Channels& channels, double rate, double budget) noexcept {
 
         const std::int64_t begun = monotonicNanoseconds();
         const PerHand<HapticOutput> outputs = step(proxy, fingers, tick);
-        publishModels(proxy);
+        publishModels(proxy, outputs);
         reportOthers(proxy, outputs, fingers);
         report(proxy, outputs[0], fingers[0].position, tick, 1e-3 * double(monotonicNanoseconds() - begun));
         rehearseNext(proxy, fingers, tick, metronome.period());

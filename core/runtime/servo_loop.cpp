@@ -101,9 +101,8 @@ void reportTick(Servo& servo, const ServoOutput& output, const Tick& tick, doubl
     telemetry.periods = servo.periods.counted();
     servo.channels.servoTelemetry.write(telemetry);
     // A full queue means that nobody draws plots: the tick is dropped.
-    servo.channels.trace.push(tracePoint(
-        {.t = tick.time, .finger = telemetry.finger, .force = telemetry.force, .energy = telemetry.energy},
-        servo.channels.contactModel.value().model));
+    const NumberedModel& now = servo.channels.contactModel.value();
+    servo.channels.trace.push(tracePoint(tick.time, telemetry, output, now.model, now.touched));
 }
 
 void countMisses(Servo& servo, const Tick& tick, double period) noexcept {

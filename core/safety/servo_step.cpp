@@ -193,6 +193,7 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
     const double dt = plausible(input.dt);
     const LocalContactModel model_D = inDevice(model_W, input.frame);
     ++state.ticks;
+    const std::uint64_t shortened = state.limiter.clamped;
 
     // 1, 2  Reading and velocity: finite, and no faster than twice the trip speed.                    T12
     const DeviceSample& seen = validate(state, input, dt);
@@ -235,8 +236,11 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
                       .gain = state.gate.gain(),
                       .load = contact.model.stiffness * contact.stretch(seen.position),
                       .touching = contact.anchor.touching};
-    return {force, inWorld(state, input, couplingOf(state, settings, input, bounds, dt)), input.frame,
-            input.border};
+    return {.force = force,
+            .finger = inWorld(state, input, couplingOf(state, settings, input, bounds, dt)),
+            .frame = input.frame,
+            .border = input.border,
+            .limited = state.limiter.clamped != shortened};
 }
 
 } // namespace tactum

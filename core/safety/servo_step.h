@@ -88,6 +88,7 @@ struct ServoOutput {
     FingerSample finger;       ///< for the proxy loop
     DeviceFrame frame;         ///< of the input
     double border = 0;         ///< of the input
+    bool limited = false;      ///< the force was shortened to what the motors bear
 };
 
 /// Nine stages, in the order of trust: what is last cannot be overruled. All of it happens in the hand's

@@ -1,20 +1,18 @@
 #include "ui/engine/touched.h"
 
 #include <algorithm>
-#include <span>
 
 #include <QObject>
 
+#include "core/haptics/touched_place.h"
 #include "ui/base/numbers.h"
 
 namespace tactum {
 
 std::optional<SurfaceRef> touchedSurface(const HapticOutput& touch, const World& world) {
-    const std::span known(touch.contact.data(), std::size_t(std::clamp(touch.contacts, 0, kMaxModelPlanes)));
-    if (known.empty()) return std::nullopt;
-    const ContactReport& most = *std::ranges::max_element(known, {}, &ContactReport::normalForce);
-    if (most.body >= world.bodies.size()) return std::nullopt;
-    return SurfaceRef{world.bodies[most.body].object, most.surface};
+    const TouchedPlace most = touchedPlace(touch, world);
+    if (most.contacts == 0) return std::nullopt;
+    return SurfaceRef{most.object, most.surface};
 }
 
 QString nameOfSurface(const Scene& scene, SurfaceRef ref) {

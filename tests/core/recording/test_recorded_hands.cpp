@@ -183,6 +183,22 @@ private slots:
         QCOMPARE_GT(check.servoSteps, std::uint64_t(7000));
     }
 
+    void aReplayedTickSaysWhatItsHandTouched() {
+        auto player = Player::open(std::make_shared<const RecordedRun>(run_));
+        VERIFY_RESULT(player);
+        player->advanceTo(kForEver);
+        for (std::size_t i = 0; i < 2; ++i) {
+            int touched = 0;
+            for (const TracePoint& tick : player->takeTrace(i)) {
+                QCOMPARE(tick.touched.contacts > 0,
+                         run_.scenes[0].scene->find(tick.touched.object) != nullptr);
+                QCOMPARE(tick.touched.contacts > 0, tick.touched.friction != ContactFriction::None);
+                touched += tick.touched.contacts > 0;
+            }
+            QCOMPARE_GT(touched, kSteps / 16);
+        }
+    }
+
     void fromTheMiddleToo() {
         auto player = Player::open(std::make_shared<const RecordedRun>(run_));
         VERIFY_RESULT(player);

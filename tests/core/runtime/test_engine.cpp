@@ -131,6 +131,26 @@ private slots:
         COMPARE_LACKS(engine.priorityNote(), "\n");
     }
 
+    /// Of the step that its model is of; with the forces off as well.
+    void aTickSaysWhatItTouchedAndWhatWasWanted() {
+        TouchedPlate plate(500);
+        QVERIFY(plate.touch(kDepth));
+        TracePoint tick;
+        QVERIFY(eventually([&] {
+            plate.polled();
+            while (plate.engine.popTrace(tick))
+                continue;
+            return tick.touched.contacts > 0 && std::abs(tick.wanted.z() - 500 * kDepth) < 1e-9;
+        }));
+        QCOMPARE(tick.touched.object, plate.world->bodies[0].object);
+        QCOMPARE(tick.touched.surface, 0u);
+        QCOMPARE(tick.touched.friction, ContactFriction::Smooth);
+        QCOMPARE(tick.revision, plate.world->revision);
+        QCOMPARE(tick.gain, 0.0);
+        QVERIFY(!tick.limited);
+        QCOMPARE(tick.force, Vec3(0, 0, 0));
+    }
+
     void pressedFingerIsPushedOnlyWhenArmed() {
         TouchedPlate plate(500);
         QVERIFY(plate.touch(kDepth));

@@ -51,7 +51,20 @@ EngineReport full() {
     servo.heat = 56, servo.energy = 57, servo.passivityDamping = 58, servo.rendered = 59;
     servo.grasped = servo.doubted = true;
     servo.ceiling = {60, CeilingReason::Maker, 61};
-    report.trace = {{62, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, 63, true, 64, 65}, {}};
+    report.trace = {{62,
+                     {1, 1, 1},
+                     {2, 2, 2},
+                     {3, 3, 3},
+                     {4, 4, 4},
+                     63,
+                     true,
+                     64,
+                     65,
+                     0.25,
+                     true,
+                     66,
+                     {2, 67, 68, ContactFriction::Slip}},
+                    {}};
     return report;
 }
 
@@ -84,6 +97,9 @@ private slots:
         QCOMPARE(read->servo.ceiling.damping, 61.0);
         QCOMPARE(read->trace.size(), 2u);
         QCOMPARE(read->trace[0].tangentialForce, 65.0);
+        QCOMPARE(read->trace[0].wanted, Vec3(4, 4, 4));
+        QCOMPARE(read->trace[0].revision, 66u);
+        QVERIFY((read->trace[0].touched == TouchedPlace{2, 67, 68, ContactFriction::Slip}));
         QCOMPARE(read->priorityNote, std::string("p"));
     }
 
