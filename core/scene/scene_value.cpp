@@ -265,6 +265,7 @@ std::vector<SceneValue> valuesIn(const Scene& scene) {
         add(Inside::Joint, i, [&](const Parameter& parameter) {
             return SceneValue(parameter, Owner::Object, Inside::Joint, i).in(scene, {}).has_value();
         });
+    std::ranges::stable_sort(values, {}, &SceneValue::owner);
     return values;
 }
 

@@ -190,12 +190,12 @@ std::string answerRow(const StudyRun& run, const TrialFacts& facts) {
     const StudyDesign& design = run.design();
     const DoneTrial& done = run.done().back();
     const bool climbs = design.procedure == Procedure::Staircase;
-    const MaterialField* field = climbs ? fieldOf(design.staircase) : nullptr;
+    const auto bent = climbs ? valueOf(design.staircase) : std::nullopt;
     const std::vector<std::string> choices = choicesOf(design);
     Row row;
     row.text(kStudyLogVersion).text(printable(design.name, kLongestStudyText)).text(facts.scene);
     row.number(run.participant()).whole(run.seed()).text(kProcedureNames[int(design.procedure)]);
-    row.text(field ? field->parameter->key : "").text(field ? field->parameter->unit : "");
+    row.text(bent ? bent->path() : "").text(bent ? bent->parameter().unit : "");
     row.number(double(run.done().size())).text(facts.time).number(facts.clock);
     addStimuli(row, run, done.trial, facts);
     row.maybe(climbs, done.trial.level).maybe(climbs, done.reversal);

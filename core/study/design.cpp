@@ -72,11 +72,11 @@ Fault faultOfSteps(const StaircaseRule& rule) {
 }
 
 Fault faultOfStaircase(const StaircaseRule& rule) {
-    const MaterialField* field = fieldOf(rule);
-    if (!field)
+    const auto value = valueOf(rule);
+    if (!value)
         return "staircase.parameter: there is none called " + inQuotes(rule.parameter) +
-               "; take a key that tactum info lists, as stiffness";
-    return firstOf(faultOfLevels(rule, *field->parameter), faultOfSteps(rule),
+               "; take a key that tactum info lists, as stiffness, or layers[0].height";
+    return firstOf(faultOfLevels(rule, value->parameter()), faultOfSteps(rule),
                    outside("staircase.down", rule.down, 1, 4),
                    outside("staircase.reversals", rule.reversals, 1, 1000),
                    outside("staircase.used", rule.used, 1, rule.reversals),
@@ -98,7 +98,7 @@ Fault faultOf(const StudyQuestion& question) {
 
 Fault faultOfTexts(const StudyDesign& design) {
     std::vector<const std::string*> texts{&design.name, &design.instructions, &design.prompt,
-                                          &design.staircase.surface};
+                                          &design.staircase.surface, &design.staircase.object};
     for (const std::string& name : design.conditions)
         texts.push_back(&name);
     for (const StudyQuestion& question : design.questions) {
@@ -148,10 +148,12 @@ Result<void> check(const StudyDesign& design) {
     return {};
 }
 
-const MaterialField* fieldOf(const StaircaseRule& rule) {
-    const auto found = std::ranges::find_if(
-        kMaterialFields, [&](const MaterialField& field) { return field.parameter->key == rule.parameter; });
-    return found == kMaterialFields.end() ? nullptr : &*found;
+std::optional<SceneValue> valueOf(const StaircaseRule& rule) {
+    return SceneValue::named(rule.parameter);
+}
+
+NamedPlace placeOf(const StaircaseRule& rule) {
+    return {rule.object, rule.surface};
 }
 
 int intervalsOf(const StudyDesign& design) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/surface/material.h"
+#include "core/scene/scene_value.h"
 
 namespace tactum {
 
@@ -48,8 +48,8 @@ struct StudyQuestion {
 /// makes it larger (Levitt 1971, J. Acoust. Soc. Am. 49, 467-477). The level is added to the reference and is
 /// in the parameter's unit, as all values here.
 struct StaircaseRule {
-    std::string surface;                      ///< name of the surfaces that change; empty: all of them
-    std::string parameter = "stiffness";      ///< key of a MaterialField
+    std::string surface, object;              ///< names of those that change; empty: all of them
+    std::string parameter = "stiffness";      ///< path of a SceneValue
     bool compares = true;                     ///< with the reference; else one interval: felt, or not?
     double reference = 400;                   ///< value at the level 0
     double start = 200;                       ///< first level
@@ -95,8 +95,10 @@ inline constexpr std::size_t kLongestStudyText = 4000; ///< bytes
 /// Whether the study can be run. Errors: one sentence with the member at fault and the remedy. Thread: any.
 Result<void> check(const StudyDesign& design);
 
-/// The field of a staircase's parameter; null where the table has none of that key.
-const MaterialField* fieldOf(const StaircaseRule& rule);
+/// What a staircase bends; nothing where no table has its parameter.
+std::optional<SceneValue> valueOf(const StaircaseRule& rule);
+/// Where it does.
+NamedPlace placeOf(const StaircaseRule& rule);
 
 /// How many intervals a trial has, 1 to 3.
 int intervalsOf(const StudyDesign& design);

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 
+#include "core/base/text.h"
+
 namespace tactum {
 
 namespace {
-
-bool isMeant(const Surface& surface, const StaircaseRule& rule) {
-    return rule.surface.empty() || surface.name == rule.surface;
-}
 
 bool sameSoup(const std::shared_ptr<const TriangleSoup>& a, const std::shared_ptr<const TriangleSoup>& b) {
     return a == b || (a && b && haveSameShape(*a, *b));
@@ -25,20 +23,19 @@ bool samePlace(const SceneObject& a, const SceneObject& b) {
 
 Scene sceneOf(const Scene& condition, const StaircaseRule& rule, const Stimulus& stimulus) {
     Scene scene = condition;
-    const MaterialField* field = fieldOf(rule);
-    if (!stimulus.value || !field) return scene;
-    for (SceneObject& object : scene.objects)
-        for (Surface& surface : object.surfaces)
-            if (isMeant(surface, rule))
-                surface.material = withValue(surface.material, *field, *stimulus.value);
+    if (const auto value = valueOf(rule); value && stimulus.value)
+        value->set(scene, placeOf(rule), *stimulus.value);
     return scene;
 }
 
-bool changesAnything(const Scene& condition, const StaircaseRule& rule) {
-    return std::ranges::any_of(condition.objects, [&](const SceneObject& object) {
-        return std::ranges::any_of(object.surfaces,
-                                   [&](const Surface& surface) { return isMeant(surface, rule); });
-    });
+Result<void> checkStaircase(const Scene& condition, const StaircaseRule& rule) {
+    const auto value = valueOf(rule);
+    if (value && value->in(condition, placeOf(rule))) return {};
+    std::string where;
+    if (!rule.surface.empty()) where += " of a surface " + inQuotes(rule.surface);
+    if (!rule.object.empty()) where += " of an object " + inQuotes(rule.object);
+    return inputError("staircase.parameter: the first condition has no " + inQuotes(rule.parameter) + where +
+                      "; choose another, or keep a state that has it");
 }
 
 bool sameShapes(const Scene& a, const Scene& b) {

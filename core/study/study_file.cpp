@@ -137,6 +137,7 @@ StaircaseRule staircaseOf(const Source& source, const Json& json) {
     const Members members(source, json, "staircase.");
     StaircaseRule rule;
     members.take("surface", rule.surface);
+    members.take("object", rule.object);
     members.take("parameter", rule.parameter);
     members.take("compares", rule.compares);
     members.take("reference", rule.reference);
@@ -210,11 +211,11 @@ Json jsonOf(const StudyQuestion& question) {
 }
 
 Json jsonOf(const StaircaseRule& rule) {
-    return {{"surface", rule.surface},     {"parameter", rule.parameter}, {"compares", rule.compares},
-            {"reference", rule.reference}, {"start", rule.start},         {"smallest", rule.smallest},
-            {"largest", rule.largest},     {"steps", rule.steps},         {"ratio", rule.ratio},
-            {"down", rule.down},           {"reversals", rule.reversals}, {"used", rule.used},
-            {"trials", rule.trials}};
+    return {{"surface", rule.surface},   {"object", rule.object},       {"parameter", rule.parameter},
+            {"compares", rule.compares}, {"reference", rule.reference}, {"start", rule.start},
+            {"smallest", rule.smallest}, {"largest", rule.largest},     {"steps", rule.steps},
+            {"ratio", rule.ratio},       {"down", rule.down},           {"reversals", rule.reversals},
+            {"used", rule.used},         {"trials", rule.trials}};
 }
 
 /// The scene of a condition, read where a hostile one breaks nothing.

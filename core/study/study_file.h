@@ -16,7 +16,7 @@ namespace tactum {
 /// The end of a study's file name, without the dot.
 inline constexpr std::string_view kStudyEnding = "tactum-study";
 /// Of the format. Another major number is another format, a higher minor one has members that we do not know.
-inline constexpr int kStudyMajor = 1, kStudyMinor = 0;
+inline constexpr int kStudyMajor = 1, kStudyMinor = 1;
 
 /// A design with what its conditions are.
 struct Study {

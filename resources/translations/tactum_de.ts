@@ -1700,6 +1700,10 @@
             <translation>Alle Tasten auf einer Seite</translation>
         </message>
         <message>
+            <source>All objects</source>
+            <translation>Alle Objekte</translation>
+        </message>
+        <message>
             <source>All objects of the groups that something is selected of; a double click on an object does the same</source>
             <translation>Alle Objekte der Gruppen, von denen etwas ausgewählt ist; ein Doppelklick auf ein Objekt tut dasselbe</translation>
         </message>
@@ -3479,6 +3483,14 @@
             <translation>Gelenk</translation>
         </message>
         <message>
+            <source>Joint %1</source>
+            <translation>Gelenk %1</translation>
+        </message>
+        <message>
+            <source>Joint %1: %2</source>
+            <translation>Gelenk %1: %2</translation>
+        </message>
+        <message>
             <source>Joint angle</source>
             <translation>Gelenkwinkel</translation>
         </message>
@@ -3591,8 +3603,20 @@
             <translation>Ebene</translation>
         </message>
         <message>
+            <source>Layer %1</source>
+            <translation>Ebene %1</translation>
+        </message>
+        <message>
             <source>Layer %1 on %2</source>
             <translation>Ebene %1 auf %2</translation>
+        </message>
+        <message>
+            <source>Layer %1, mask: %2</source>
+            <translation>Ebene %1, Maske: %2</translation>
+        </message>
+        <message>
+            <source>Layer %1: %2</source>
+            <translation>Ebene %1: %2</translation>
         </message>
         <message>
             <source>Layers</source>
@@ -4377,6 +4401,10 @@
         <message>
             <source>Numbers</source>
             <translation>Zahlen</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>Objekt</translation>
         </message>
         <message>
             <source>Octaves</source>

@@ -36,18 +36,6 @@ QString studyEnding() {
     return asIs(kStudyEnding);
 }
 
-/// Names of surfaces, each once.
-QStringList surfacesOf(const std::vector<Scene>& conditions) {
-    QStringList names;
-    for (const Scene& scene : conditions)
-        for (const SceneObject& object : scene.objects)
-            for (const Surface& surface : object.surfaces)
-                if (const QString name = QString::fromStdString(surface.name);
-                    !name.isEmpty() && !names.contains(name))
-                    names << name;
-    return names;
-}
-
 StudyMoment momentOf(const StudySession& study, const Engine& engine) {
     return {study.felt(), study.waitsForLift(), engine.armed(), study.rests()};
 }
@@ -198,7 +186,7 @@ void StudyController::keepState() {
 
 void StudyController::edit() {
     const Study& study = desk_->study();
-    if (const auto design = askForDesign(&bench_.window, study.design, surfacesOf(study.conditions)))
+    if (const auto design = askForDesign(&bench_.window, study.design, study.conditions))
         desk_->setDesign(*design);
 }
 

@@ -21,9 +21,9 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "core/base/numbers.h"
 #include "ui/base/style.h"
 #include "ui/base/words.h"
+#include "ui/study/staircase_fields.h"
 #include "ui/study/study_panel.h"
 
 namespace tactum {
@@ -64,7 +64,7 @@ std::optional<StudyQuestion> questionOf(const QString& line) {
 
 class DesignDialog : public QDialog {
 public:
-    DesignDialog(QWidget* parent, const StudyDesign& now, const QStringList& surfaces)
+    DesignDialog(QWidget* parent, const StudyDesign& now, const std::vector<Scene>& conditions)
         : QDialog(parent), design_(now),
           buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
         setObjectName(QStringLiteral("study-dialog"));
@@ -74,7 +74,7 @@ public:
         columns->setContentsMargins({});
         columns->setSpacing(3 * kRhythm);
         columns->addWidget(makeProcedure());
-        columns->addWidget(makeStaircase(surfaces));
+        columns->addWidget(makeStaircase(conditions));
         columns->addWidget(makeQuestions());
         scrolled_ = new QScrollArea;
         scrolled_->setFrameShape(QFrame::NoFrame);
@@ -191,47 +191,10 @@ private:
         return group;
     }
 
-    QWidget* makeStaircase(const QStringList& surfaces) {
-        const StaircaseRule& rule = design_.staircase;
-        auto* group = staircase_ = new QGroupBox(QObject::tr("Staircase"));
-        auto* form = new QFormLayout(group);
-        QStringList parameters;
-        int now = 0;
-        for (const MaterialField& field : kMaterialFields) {
-            if (field.parameter->key == rule.parameter) now = int(parameters.size());
-            const Parameter& p = *field.parameter;
-            parameters << QString::fromStdString(std::string(p.label) +
-                                                 (p.unit.empty() ? "" : " (" + std::string(p.unit) + ")"));
-        }
-        form->addRow(QObject::tr("Parameter"), parameter_ = box("study-parameter", parameters, now));
-        QStringList names{QObject::tr("All surfaces")};
-        names += surfaces;
-        if (!rule.surface.empty() && !surfaces.contains(asIs(rule.surface))) names << asIs(rule.surface);
-        form->addRow(QObject::tr("Surface"),
-                     surface_ = box("study-surface", names,
-                                    rule.surface.empty() ? 0 : int(names.lastIndexOf(asIs(rule.surface)))));
-        form->addRow(compares_ = check("study-compares", QObject::tr("Two intervals: one has the reference"),
-                                       rule.compares));
-        form->addRow(QObject::tr("Reference value"),
-                     reference_ = number("study-reference", 10000, rule.reference, 3));
-        form->addRow(QObject::tr("First difference"), start_ = number("study-start", 10000, rule.start, 3));
-        form->addRow(QObject::tr("Smallest difference"),
-                     smallest_ = number("study-smallest", 10000, rule.smallest, 3));
-        form->addRow(QObject::tr("Largest difference"),
-                     largest_ = number("study-largest", 10000, rule.largest, 3));
-        QStringList steps;
-        for (const double step : rule.steps)
-            steps << QString::number(step, 'g', 12);
-        form->addRow(QObject::tr("Steps, the next after each reversal"),
-                     steps_ = line("study-steps", steps.join(QStringLiteral("; ")).toStdString()));
-        form->addRow(ratio_ = check("study-ratio", QObject::tr("Steps multiply and divide"), rule.ratio));
-        form->addRow(QObject::tr("Right answers to go down"), down_ = whole("study-down", 1, 4, rule.down));
-        form->addRow(QObject::tr("Ends after reversals"),
-                     reversals_ = whole("study-reversals", 1, 1000, rule.reversals));
-        form->addRow(QObject::tr("Threshold of the last"), used_ = whole("study-used", 1, 1000, rule.used));
-        form->addRow(QObject::tr("At most trials"),
-                     trials_ = whole("study-trials", 1, kMaxTrials, rule.trials));
-        return group;
+    QWidget* makeStaircase(const std::vector<Scene>& conditions) {
+        staircase_ = new StaircaseFields(design_.staircase, conditions);
+        connect(staircase_, &StaircaseFields::edited, this, [this] { judge(); });
+        return staircase_;
     }
 
     QWidget* makeQuestions() {
@@ -273,27 +236,8 @@ private:
         design_.forcesOffBetween = between_->isChecked();
         design_.touchEvery = every_->value();
         design_.instructions = instructions_->toPlainText().trimmed().toStdString();
-        readStaircase();
+        design_.staircase = staircase_->rule();
         return readQuestions();
-    }
-
-    void readStaircase() {
-        StaircaseRule& rule = design_.staircase;
-        rule.parameter = kMaterialFields[std::size_t(parameter_->currentIndex())].parameter->key;
-        rule.surface = surface_->currentIndex() <= 0 ? std::string() : surface_->currentText().toStdString();
-        rule.compares = compares_->isChecked();
-        rule.reference = reference_->value();
-        rule.start = start_->value();
-        rule.smallest = smallest_->value();
-        rule.largest = largest_->value();
-        rule.steps.clear();
-        for (const QString& step : steps_->text().split(u';', Qt::SkipEmptyParts))
-            rule.steps.push_back(parseNumber(step.trimmed().toStdString()).value_or(0));
-        rule.ratio = ratio_->isChecked();
-        rule.down = down_->value();
-        rule.reversals = reversals_->value();
-        rule.used = used_->value();
-        rule.trials = trials_->value();
     }
 
     QString readQuestions() {
@@ -327,15 +271,12 @@ private:
     StudyDesign design_;
     QDialogButtonBox* buttons_;
     QLabel* summary_ = nullptr;
-    QGroupBox* staircase_ = nullptr;
-    QLineEdit *name_ = nullptr, *seed_ = nullptr, *prompt_ = nullptr, *steps_ = nullptr;
-    QComboBox *kind_ = nullptr, *order_ = nullptr, *view_ = nullptr, *parameter_ = nullptr,
-              *surface_ = nullptr;
-    QSpinBox *repeats_ = nullptr, *every_ = nullptr, *down_ = nullptr, *reversals_ = nullptr,
-             *used_ = nullptr, *trials_ = nullptr;
-    QDoubleSpinBox *stimulus_ = nullptr, *pause_ = nullptr, *reference_ = nullptr, *start_ = nullptr,
-                   *smallest_ = nullptr, *largest_ = nullptr;
-    QCheckBox *again_ = nullptr, *between_ = nullptr, *compares_ = nullptr, *ratio_ = nullptr;
+    StaircaseFields* staircase_ = nullptr;
+    QLineEdit *name_ = nullptr, *seed_ = nullptr, *prompt_ = nullptr;
+    QComboBox *kind_ = nullptr, *order_ = nullptr, *view_ = nullptr;
+    QSpinBox *repeats_ = nullptr, *every_ = nullptr;
+    QDoubleSpinBox *stimulus_ = nullptr, *pause_ = nullptr;
+    QCheckBox *again_ = nullptr, *between_ = nullptr;
     QPlainTextEdit *instructions_ = nullptr, *questions_ = nullptr;
 };
 
@@ -396,8 +337,8 @@ private:
 } // namespace
 
 std::optional<StudyDesign> askForDesign(QWidget* parent, const StudyDesign& now,
-                                        const QStringList& surfaces) {
-    DesignDialog dialog(parent, now, surfaces);
+                                        const std::vector<Scene>& conditions) {
+    DesignDialog dialog(parent, now, conditions);
     if (dialog.exec() != QDialog::Accepted) return {};
     return dialog.design();
 }

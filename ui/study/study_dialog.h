@@ -9,9 +9,10 @@ class QWidget;
 
 namespace tactum {
 
-/// The design as the author wants it; nothing where they thought better of it. `surfaces`: names that a
-/// staircase can change. Thread: ui.
-std::optional<StudyDesign> askForDesign(QWidget* parent, const StudyDesign& now, const QStringList& surfaces);
+/// The design as the author wants it; nothing where they thought better of it. `conditions`: of
+/// the study, the first of which a staircase bends. Thread: ui.
+std::optional<StudyDesign> askForDesign(QWidget* parent, const StudyDesign& now,
+                                        const std::vector<Scene>& conditions);
 
 /// With whom; nothing where the person thought better of it. `file`: of the study, as it is saved.
 std::optional<StudyStart> askForStart(QWidget* parent, const StudyDesign& design, const QString& file);

@@ -10,6 +10,7 @@
 
 #include "ui/base/style.h"
 #include "ui/base/words.h"
+#include "ui/study/staircase_fields.h"
 #include "ui/study/study_desk.h"
 #include "ui/widgets/hinted_tree.h"
 
@@ -30,10 +31,10 @@ QString procedureWords(const StudyDesign& design) {
     case Procedure::Staircase:
         break;
     }
-    const MaterialField* field = fieldOf(design.staircase);
+    const auto bent = valueOf(design.staircase);
     return StudyPanel::tr("Staircase, %1 down 1 up, over %2")
         .arg(design.staircase.down)
-        .arg(field ? wordsOf(field->parameter->label) : QStringLiteral("?"));
+        .arg(bent ? wordsFor(*bent) : QStringLiteral("?"));
 }
 
 } // namespace

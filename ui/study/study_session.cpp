@@ -71,8 +71,8 @@ Result<void> StudySession::begin(std::shared_ptr<const Study> study, const Study
     auto run = broken ? StudyRun::resume(design, start.participant, broken->run.seed, broken->run.answers)
                       : StudyRun::begin(design, start.participant, start.seed);
     if (!run) return tl::unexpected<Error>(run.error());
-    if (design.procedure == Procedure::Staircase && !changesAnything(study->conditions[0], design.staircase))
-        return inputError("staircase.surface: no surface of the scene is called so; choose another");
+    if (design.procedure == Procedure::Staircase)
+        if (const auto bends = checkStaircase(study->conditions[0], design.staircase); !bends) return bends;
     const auto opened = broken ? goOn(*broken) : openLogs(design, start);
     if (!opened) return opened;
     scene_ = fingerprintOf(start.file);

@@ -7,6 +7,7 @@
 #include "core/archive/zip_archive.h"
 #include "core/base/atomic_file.h"
 #include "core/files/gltf/gltf_file.h"
+#include "core/study/stimulus.h"
 #include "core/study/study_file.h"
 #include "tests/core/study/simple_designs.h"
 #include "tests/support/compare.h"
@@ -30,6 +31,8 @@ StudyDesign richDesign() {
     design.seed = 18446744073709551615u;
     design.prompt = "Stiffer?";
     design.staircase.surface = "lid";
+    design.staircase.object = "box";
+    design.staircase.parameter = "layers[1].mask.size";
     design.staircase.ratio = true;
     design.staircase.smallest = 0.125;
     design.staircase.compares = false;
@@ -76,6 +79,7 @@ class TestStudyFile : public QObject {
 private slots:
     void everyMemberComesBack();
     void whatIsNotThereIsAsAtFirst();
+    void anOlderFileKeepsItsMeaning();
     void conditionsComeBackAsScenes();
     void theSameStudyIsTheSameFile();
     void badDesignsAreOneLine_data();
@@ -103,6 +107,20 @@ void TestStudyFile::whatIsNotThereIsAsAtFirst() {
     StudyDesign expected;
     expected.name = "n";
     QVERIFY(*read == expected);
+}
+
+/// A study from before paths and objects bends what it did.
+void TestStudyFile::anOlderFileKeepsItsMeaning() {
+    const auto read = parseDesign(
+        R"({"tactumStudy":"1.0","name":"n","conditions":["a"],"procedure":"staircase",)"
+        R"("staircase":{"surface":"top","parameter":"static-friction","reference":0.3,"start":0.2,"largest":0.4}})",
+        "a");
+    VERIFY_RESULT(read);
+    VERIFY_RESULT(check(*read));
+    Scene scene = plate(100);
+    const Scene bent = sceneOf(scene, read->staircase, {0, 0.5});
+    scene.objects[0].surfaces[0].material.staticFriction = 0.5;
+    QVERIFY(bent == scene);
 }
 
 void TestStudyFile::conditionsComeBackAsScenes() {

@@ -58,6 +58,8 @@ private slots:
     void designsAreChecked_data();
     void designsAreChecked();
     void aStimulusChangesWhatItNames();
+    void aStaircaseBendsALayer();
+    void levelsKeepToTheRangeOfWhatIsBent();
 };
 
 void TestStudyRun::aTrialIsItsSteps() {
@@ -226,9 +228,50 @@ void TestStudyRun::aStimulusChangesWhatItNames() {
     QVERIFY(!sameShapes(moved, scene));
     rule.surface.clear();
     QCOMPARE(sceneOf(scene, rule, {0, 10.}).objects[0].surfaces[1].material.stiffness, 10.0);
-    QVERIFY(changesAnything(scene, rule));
+    VERIFY_RESULT(checkStaircase(scene, rule));
     rule.surface = "handle";
-    QVERIFY(!changesAnything(scene, rule));
+    COMPARE_CONTAINS(refusal(checkStaircase(scene, rule)), "no \"stiffness\" of a surface \"handle\"");
+}
+
+void TestStudyRun::aStaircaseBendsALayer() {
+    Scene scene;
+    SceneObject object;
+    object.name = "box";
+    object.surfaces = {called("lid"), called("floor")};
+    for (Surface& surface : object.surfaces)
+        surface.layers.resize(2);
+    scene.add(object);
+    object.id = 0, object.name = "plate";
+    scene.add(object);
+    StaircaseRule rule;
+    rule.object = "box", rule.surface = "lid", rule.parameter = "layers[1].height";
+    const Scene bent = sceneOf(scene, rule, {0, 3e-4});
+    Scene expected = scene;
+    expected.objects[0].surfaces[0].layers[1].strength = 3e-4;
+    QVERIFY(bent == expected);
+    QVERIFY(sameShapes(bent, scene)); // it comes under the finger
+    VERIFY_RESULT(checkStaircase(scene, rule));
+    rule.parameter = "layers[2].height";
+    COMPARE_CONTAINS(refusal(checkStaircase(scene, rule)),
+                     "no \"layers[2].height\" of a surface \"lid\" of an object \"box\"");
+    rule.parameter = "proxy-radius";
+    QCOMPARE(sceneOf(scene, rule, {0, 2e-3}).proxyRadius, 2e-3);
+    QVERIFY(!sameShapes(sceneOf(scene, rule, {0, 2e-3}), scene));
+}
+
+/// The range is that of what is bent, whatever it is.
+void TestStudyRun::levelsKeepToTheRangeOfWhatIsBent() {
+    StudyDesign design = staircaseOf(2);
+    StaircaseRule& rule = design.staircase;
+    rule.parameter = "layers[0].height";
+    COMPARE_CONTAINS(refusal(check(design)), "leave the range of Height, -0.01 to 0.01 m");
+    rule.reference = 1e-4, rule.start = rule.largest = 2e-4, rule.steps = {5e-5};
+    VERIFY_RESULT(check(design));
+    auto run = StudyRun::begin(design, 1, 1);
+    VERIFY_RESULT(run);
+    run->proceed();
+    const auto& intervals = run->trial().intervals;
+    QCOMPARE(std::max(*intervals[0].value, *intervals[1].value), 1e-4 + 2e-4);
 }
 
 } // namespace test_study_run

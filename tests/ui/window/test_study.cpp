@@ -203,6 +203,7 @@ private slots:
 
     void anAbxFromNothingToItsLogs();
     void aStaircaseOverAParameter();
+    void aStaircaseOverTheHeightOfALayer();
     void aRunThatBrokeOffGoesOn();
     void questionsAreAskedAndLogged();
     void whatIsNotSavedIsNotLost();
@@ -352,6 +353,79 @@ void TestStudy::aStaircaseOverAParameter() {
     for (Row row : rows)
         reversals << row[QStringLiteral("reversal")];
     QCOMPARE(reversals.join(u' '), QStringLiteral("0 0 1 0 1"));
+}
+
+/// Two layers on each side of a cube. Of the front the lower one is bent, by its height, and nothing else.
+void TestStudy::aStaircaseOverTheHeightOfALayer() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(*folder_)));
+    program.command("select-all").trigger();
+    for (const char* layer : {"layer-grooves", "layer-dots"})
+        program.command(layer).trigger();
+    QVERIFY(program.window->studyDesk().keep(QStringLiteral("grooved")));
+    QString unit;
+    inDialog([&unit](QDialog& dialog) {
+        auto& kind = in<QComboBox>(dialog, "study-kind");
+        kind.setFocus();
+        QTest::keyClick(&kind, Qt::Key_End);
+        // Down through the list, past the headings, as far as the height of the lowest layer.
+        auto& parameter = in<QComboBox>(dialog, "study-parameter");
+        parameter.setFocus();
+        for (int i = 0;
+             i < parameter.count() && parameter.currentText() != QLatin1String("Layer 1: Height (mm)"); ++i)
+            QTest::keyClick(&parameter, Qt::Key_Down);
+        QCOMPARE(parameter.currentText(), QStringLiteral("Layer 1: Height (mm)"));
+        auto& surface = in<QComboBox>(dialog, "study-surface");
+        surface.setFocus();
+        for (int i = 0; i < surface.count() && surface.currentText() != QLatin1String("front"); ++i)
+            QTest::keyClick(&surface, Qt::Key_Down);
+        unit = in<QDoubleSpinBox>(dialog, "study-reference").suffix();
+        const auto type = [&](const char* name, const QString& value) {
+            auto& box = in<QDoubleSpinBox>(dialog, name);
+            box.setFocus();
+            box.selectAll();
+            QTest::keyClicks(&box, value);
+        };
+        type("study-reference", QStringLiteral("0.1"));
+        type("study-largest", QStringLiteral("0.3"));
+        type("study-start", QStringLiteral("0.3"));
+    });
+    program.command("study-edit").trigger();
+    QCOMPARE(unit, QStringLiteral(" mm"));
+    const StaircaseRule& rule = program.window->studyDesk().study().design.staircase;
+    QCOMPARE(rule.parameter, std::string("layers[0].height"));
+    QCOMPARE(rule.surface, std::string("front"));
+    COMPARE_NEAR(rule.reference, 1e-4, 1e-12, "m");
+    COMPARE_NEAR(rule.start, 3e-4, 1e-12, "m");
+    QSignalSpy saved(&program.window->studyDesk(), &StudyDesk::changed);
+    program.window->studyDesk().save(folder_->filePath(QStringLiteral("s.tactum-study")));
+    QTRY_VERIFY(!saved.isEmpty() && !program.window->studyDesk().modified());
+    const Scene condition = program.window->studyDesk().study().conditions[0];
+    const std::vector<Surface>& sides = condition.objects[0].surfaces;
+    const auto front = std::size_t(std::ranges::find(sides, "front", &Surface::name) - sides.begin());
+    agreeToRun(program, 1);
+    Participant participant(program);
+    std::set<double> heights;
+    for (int interval = 0; interval < 2; ++interval) {
+        QVERIFY(participant.toStimulus());
+        QVERIFY(test::waitFor([&] { return program.caughtUp(); }));
+        Scene felt = *program.window->publisher().world()->scene;
+        double& height = felt.objects[0].surfaces[front].layers[0].strength;
+        heights.insert(std::round(1e7 * height));
+        height = sides[front].layers[0].strength;
+        QVERIFY(felt == condition);
+        (void)participant.feel();
+        participant.key(Qt::Key_Space);
+    }
+    QCOMPARE(heights, (std::set<double>{1000, 4000})); // 0.1 mm, and 0.3 above it
+    participant.key(Qt::Key_1);
+    participant.key(Qt::Key_Escape);
+    participant.key(Qt::Key_E);
+    QVERIFY(!participant.study().running());
+    auto answers = tableOf(logsIn(QDir(folder_->path()), "-answers.csv").value(0));
+    QCOMPARE(answers.size(), std::size_t(1));
+    QCOMPARE(answers[0][QStringLiteral("parameter")], QStringLiteral("layers[0].height"));
+    QCOMPARE(answers[0][QStringLiteral("unit")], QStringLiteral("m"));
 }
 
 void TestStudy::aRunThatBrokeOffGoesOn() {
