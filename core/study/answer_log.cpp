@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/study/log_row.h"
 
 namespace tactum {
 
@@ -15,45 +15,7 @@ constexpr std::string_view kColumns = "format,study,scene,participant,seed,proce
                                       "reversal,answer,chosen,correct,reaction_ms,"
                                       "answered_s,device,ceiling_N_per_m,faults";
 
-/// A row in the making.
-class Row {
-public:
-    Row& text(std::string_view words) {
-        begin();
-        if (words.find_first_of(",\"\r\n") == words.npos) {
-            row_ += words;
-            return *this;
-        }
-        row_ += '"';
-        for (const char c : words) {
-            if (c == '"') row_ += '"';
-            row_ += c == '\r' || c == '\n' ? ' ' : c; // a row is one line
-        }
-        row_ += '"';
-        return *this;
-    }
-    Row& number(double value) {
-        begin();
-        appendNumber(row_, value);
-        return *this;
-    }
-    Row& whole(std::uint64_t value) {
-        return text(std::to_string(value));
-    } // 64 bits are more than a double's
-    Row& none() { return text({}); }
-    Row& maybe(bool there, double value) { return there ? number(value) : none(); }
-    std::string line() const { return row_ + '\n'; }
-
-private:
-    void begin() {
-        if (!first_) row_ += ',';
-        first_ = false;
-    }
-    std::string row_;
-    bool first_ = true;
-};
-
-void addStimuli(Row& row, const StudyRun& run, const StudyTrial& trial, const TrialFacts& facts) {
+void addStimuli(LogRow& row, const StudyRun& run, const StudyTrial& trial, const TrialFacts& facts) {
     const auto& intervals = trial.intervals;
     for (std::size_t i = 0; i < 3; ++i)
         row.text(i < intervals.size() ? run.design().conditions[std::size_t(intervals[i].condition)] : "");
@@ -139,7 +101,7 @@ private:
         const auto seed = wholeOf(field(fields, "seed"));
         if (!parseNumber(field(fields, "trial"), trial) || std::size_t(trial) != log_.answers.size() + 1 ||
             !parseNumber(field(fields, "participant"), participant) || participant < 1 ||
-            participant > 1'000'000 || !seed ||
+            participant > 1'000'000 || !seed || field(fields, "format") != kStudyLogVersion ||
             field(fields, "study") != printable(design_.name, kLongestStudyText))
             return false;
         const bool first = log_.answers.empty();
@@ -192,7 +154,7 @@ std::string answerRow(const StudyRun& run, const TrialFacts& facts) {
     const bool climbs = design.procedure == Procedure::Staircase;
     const auto bent = climbs ? valueOf(design.staircase) : std::nullopt;
     const std::vector<std::string> choices = choicesOf(design);
-    Row row;
+    LogRow row;
     row.text(kStudyLogVersion).text(printable(design.name, kLongestStudyText)).text(facts.scene);
     row.number(run.participant()).whole(run.seed()).text(kProcedureNames[int(design.procedure)]);
     row.text(bent ? bent->path() : "").text(bent ? bent->parameter().unit : "");

@@ -9,9 +9,6 @@
 
 namespace tactum {
 
-/// Of the log's columns. Another major number is another meaning of one.
-inline constexpr const char* kStudyLogVersion = "1.0";
-
 /// What a trial is logged with besides itself.
 struct TrialFacts {
     std::string scene;         ///< fingerprintOf() the study's file
@@ -41,7 +38,8 @@ struct LoggedRun {
     std::size_t bytes = 0; ///< of whole rows: what comes after them a crash has left unfinished
 };
 
-/// Errors: one sentence with the line: no log of this study, or one that somebody has edited. Thread: any.
+/// Errors: one sentence with the line: no log of this study or of these columns, or one that somebody has
+/// edited. Thread: any.
 Result<LoggedRun> readAnswers(std::string_view csv, const StudyDesign& design);
 
 } // namespace tactum

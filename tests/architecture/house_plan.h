@@ -38,7 +38,7 @@ inline const std::vector<Room> kRooms{
     {"core/video", {"core/base"}},
     {"core/report", {"core/bundle", "core/health", "core/presets"}},
     {"core/recording", {"core/runtime", "core/import"}},
-    {"core/study", {"core/import"}},
+    {"core/study", {"core/import", "core/runtime"}},
     {"core/session", {"core/runtime"}},
     {"core/self_test", {"core/loop"}},
     {"core/protocol", {"core/session", "core/recording"}},

@@ -59,6 +59,7 @@ StudySession::StudySession(WorldPublisher& publisher, Engine& engine, QObject* p
         proceed();
     });
     connect(&publisher_, &WorldPublisher::published, this, [this] {
+        if (run_) remember(*publisher_.world());
         if (stage_ == Stage::Published) startFeeling();
     });
     connect(&publisher_, &WorldPublisher::failed, this, &StudySession::fail);
@@ -84,6 +85,7 @@ Result<void> StudySession::begin(std::shared_ptr<const Study> study, const Study
     replied_ = false;
     now_ = std::make_shared<const Scene>(study_->conditions[0]);
     stage_ = Stage::Idle;
+    published_.clear();
     kept_.start();
     publisher_.setTrial(now_);
     emit changed();
@@ -215,8 +217,8 @@ void StudySession::enter() {
 void StudySession::publish() {
     const StudyTrial& trial = run_->trial();
     const Stimulus& stimulus = trial.intervals[std::size_t(run_->interval())];
-    auto next = std::make_shared<const Scene>(
-        sceneOf(study_->conditions[std::size_t(stimulus.condition)], run_->design().staircase, stimulus));
+    auto next = std::make_shared<const Scene>(tactum::sceneOf(
+        study_->conditions[std::size_t(stimulus.condition)], run_->design().staircase, stimulus));
     const bool touches = engine_.proxy().output.contacts > 0;
     touch_.interrupt();
     if (touches && !sameShapes(*now_, *next)) {
@@ -227,6 +229,18 @@ void StudySession::publish() {
     now_ = std::move(next);
     publisher_.setTrial(now_);
     emit changed();
+}
+
+/// The newest last: ticks come some time after the World that they are of.
+void StudySession::remember(const World& world) {
+    constexpr std::size_t kMost = 8;
+    published_.emplace_back(world.revision, world.scene);
+    if (published_.size() > kMost) published_.erase(published_.begin());
+}
+
+const Scene* StudySession::sceneOf(std::uint64_t revision) const {
+    const auto found = std::ranges::find(published_, revision, &Published::first);
+    return found == published_.end() ? nullptr : found->second.get();
 }
 
 void StudySession::startFeeling() {
@@ -244,11 +258,18 @@ void StudySession::startFeeling() {
 void StudySession::take(const std::vector<TracePoint>& ticks) {
     if (!run_) return;
     std::string rows;
-    for (const TracePoint& point : ticks) {
-        tick_ = point.t;
-        if (stage_ != Stage::Felt) continue;
-        touch_.add(rows, {point.t, point.finger, point.proxy, point.force, point.touching}, run_->number(),
-                   run_->interval() + 1);
+    if (!ticks.empty()) tick_ = ticks.back().t;
+    if (stage_ == Stage::Felt) {
+        const Stimulus& stimulus = run_->trial().intervals[std::size_t(run_->interval())];
+        TouchMoment moment{.trial = run_->number(),
+                           .interval = run_->interval() + 1,
+                           .hand = int(Hands(engine_).chosen()) + 1,
+                           .condition = run_->design().conditions[std::size_t(stimulus.condition)],
+                           .value = stimulus.value};
+        for (const TracePoint& point : ticks) {
+            moment.scene = sceneOf(point.revision);
+            touch_.add(rows, point, moment);
+        }
     }
     if (!rows.empty()) keep(touchLog_->write(rows));
     if (run_ && kept_.elapsed() > kKeepEvery) {

@@ -3,13 +3,14 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
-#include "core/runtime/engine.h"
+#include "core/runtime/hands.h"
 #include "core/study/answer_log.h"
 #include "core/study/log_file.h"
 #include "core/study/study_file.h"
@@ -93,6 +94,8 @@ private:
     void enter();
     void publish();
     void startFeeling();
+    void remember(const World& world);
+    const Scene* sceneOf(std::uint64_t revision) const;
     void logTrial();
     void keep(const Result<void>& written);
 
@@ -106,6 +109,8 @@ private:
     TouchLog touch_{1};
     Stage stage_ = Stage::Idle;
     std::shared_ptr<const Scene> now_; ///< what is felt
+    using Published = std::pair<std::uint64_t, std::shared_ptr<const Scene>>;
+    std::vector<Published> published_; ///< the last Worlds: their revisions, and what they were made of
     QTimer ends_;                      ///< of a stimulus or a pause with a limit
     QElapsedTimer asked_, kept_;
     TrialFacts facts_;

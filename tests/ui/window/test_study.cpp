@@ -426,6 +426,24 @@ void TestStudy::aStaircaseOverTheHeightOfALayer() {
     QCOMPARE(answers.size(), std::size_t(1));
     QCOMPARE(answers[0][QStringLiteral("parameter")], QStringLiteral("layers[0].height"));
     QCOMPARE(answers[0][QStringLiteral("unit")], QStringLiteral("m"));
+    // The touch says what was touched, of which stimulus, and in which World.
+    std::map<QString, std::set<QString>> seen; // revisions by value
+    bool pushed = false;
+    for (Row& row : tableOf(logsIn(QDir(folder_->path()), "-touch.csv").value(0))) {
+        QCOMPARE(row[QStringLiteral("condition")], QStringLiteral("grooved"));
+        QCOMPARE(row[QStringLiteral("hand")], QStringLiteral("1"));
+        seen[row[QStringLiteral("value")]].insert(row[QStringLiteral("scene_revision")]);
+        if (row[QStringLiteral("contacts")].toInt() == 0) continue;
+        QCOMPARE(row[QStringLiteral("object")].toStdString(), condition.objects[0].name);
+        const std::string side = row[QStringLiteral("surface")].toStdString();
+        QVERIFY(std::ranges::find(sides, side, &Surface::name) != sides.end());
+        QVERIFY(row[QStringLiteral("friction")] != QLatin1String("none"));
+        pushed |=
+            row[QStringLiteral("gain")].toDouble() == 1 && row[QStringLiteral("normal_N")].toDouble() > 0.1;
+    }
+    QVERIFY(pushed);
+    QCOMPARE(seen.size(), std::size_t(2));
+    QVERIFY(seen.begin()->second != seen.rbegin()->second);
 }
 
 void TestStudy::aRunThatBrokeOffGoesOn() {
