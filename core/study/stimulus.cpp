@@ -39,7 +39,7 @@ Result<void> checkStaircase(const Scene& condition, const StaircaseRule& rule) {
 }
 
 bool sameShapes(const Scene& a, const Scene& b) {
-    return a.proxyRadius == b.proxyRadius && a.mechanics == b.mechanics &&
+    return a.proxyRadius == b.proxyRadius && a.reach == b.reach && a.mechanics == b.mechanics &&
            std::ranges::equal(a.objects, b.objects, samePlace);
 }
 

@@ -15,6 +15,7 @@
 #include "ui/document/document.h"
 #include "ui/engine/device_link.h"
 #include "ui/engine/usb_permission.h"
+#include "ui/engine/world_publisher.h"
 #include "ui/panels/device_connect.h"
 #include "ui/panels/device_live.h"
 #include "ui/panels/device_panel.h"
@@ -171,6 +172,7 @@ void DeviceController::connectWorkspace() {
     connect(&workspace, &WorkspaceFields::edited, this, &DeviceController::setWorkspace);
     connect(&workspace, &WorkspaceFields::reachChosen, &bench_.document, &Document::setReach);
     connect(&bench_.document, &Document::changed, this, &DeviceController::applyReach);
+    connect(&bench_.publisher, &WorldPublisher::published, this, &DeviceController::applyReach);
     workspace.showReach(bench_.document.scene().reach);
     connect(&workspace, &WorkspaceFields::centrePressed, this, [this] { centreWorkspace(false); });
     connect(&workspace, &WorkspaceFields::fitPressed, this, [this] { centreWorkspace(true); });
@@ -202,7 +204,7 @@ void DeviceController::adopt() {
 // history: the same scene is felt with other devices, and undoing an edit must not move somebody's hand.
 void DeviceController::apply(std::size_t hand, const DeviceSettings& settings) {
     settings_[hand] = settings;
-    settings_[hand].workspace.reach = link_.leadsItself(hand) ? bench_.document.scene().reach : Reach{};
+    settings_[hand].workspace.reach = link_.leadsItself(hand) ? bench_.publisher.scene().reach : Reach{};
     if (const auto possible = link_.hands().setWorkspace(hand, settings_[hand].workspace); !possible)
         bench_.notice.showError(QString::fromStdString(possible.error().text));
     link_.stop(hand).buttons = settings.stopButton;
@@ -210,12 +212,12 @@ void DeviceController::apply(std::size_t hand, const DeviceSettings& settings) {
     if (link_.leadsItself(hand)) rememberSettings(link_.idOf(hand), settings);
 }
 
-/// How hands reach is of the scene, and undone with it: it moves nobody's hand by itself.
+/// How hands reach is of the scene that is felt, and undone with it: it moves nobody's hand by itself.
 void DeviceController::applyReach() {
     panel_.workspace().showReach(bench_.document.scene().reach);
     bool other = false;
     for (std::size_t hand = 0; hand < settings_.size() && hand < link_.hands().count(); ++hand) {
-        if (!link_.leadsItself(hand) || settings_[hand].workspace.reach == bench_.document.scene().reach)
+        if (!link_.leadsItself(hand) || settings_[hand].workspace.reach == bench_.publisher.scene().reach)
             continue;
         apply(hand, DeviceSettings(settings_[hand]));
         other = true;

@@ -29,6 +29,8 @@ public:
     /// that was built is built anew. What one trial shares with the one before it is not built anew either.
     void setTrial(std::shared_ptr<const Scene> trial);
     bool trying() const { return trial_ != nullptr; }
+    /// What is felt, or will be when it is compiled: the trial, or the document's.
+    const Scene& scene() const { return trial_ ? *trial_ : document_.scene(); }
     /// The newest World that the engine was given; nullptr before the first.
     const std::shared_ptr<const World>& world() const { return world_; }
 

@@ -257,6 +257,9 @@ void TestStudyRun::aStaircaseBendsALayer() {
     rule.parameter = "proxy-radius";
     QCOMPARE(sceneOf(scene, rule, {0, 2e-3}).proxyRadius, 2e-3);
     QVERIFY(!sameShapes(sceneOf(scene, rule, {0, 2e-3}), scene));
+    Scene reaching = scene;
+    reaching.reach.mode = ReachMode::Drift;
+    QVERIFY(!sameShapes(reaching, scene)); // it moves the finger
 }
 
 /// The range is that of what is bent, whatever it is.

@@ -17,6 +17,7 @@
 #include "ui/engine/health_words.h"
 #include "ui/engine/usb_permission.h"
 #include "ui/panels/device_panel.h"
+#include "ui/study/study_session.h"
 #include "ui/view/scene_view.h"
 
 namespace test_device_use {
@@ -43,6 +44,7 @@ private slots:
     void reCentringTakesBackWhatTheClutchMoved();
     void beyondTheShellTheWorkspaceGoesOn();
     void howAHandReachesIsOfTheScene();
+    void aSceneThatIsTriedBringsItsReach();
     void theCeilingFallsWithTheScale();
     void undoDoesNotTouchTheDevice();
     void trialsAreFeltInsteadOfTheScene();
@@ -326,6 +328,29 @@ void TestDeviceUse::howAHandReachesIsOfTheScene() {
     QCOMPARE(desk.program.document.scene().reach, (Reach{ReachMode::Rate, kUsualShell}));
     QVERIFY(desk.connectIt());
     QCOMPARE(reach().mode, ReachMode::Rate);
+}
+
+/// A condition of a study is felt as its author felt it.
+void TestDeviceUse::aSceneThatIsTriedBringsItsReach() {
+    Desk desk;
+    QVERIFY(desk.program.open(writeCube(folder_)));
+    QVERIFY(desk.connectIt());
+    desk.page(DevicePanel::Page::Workspace);
+    const auto reach = [&] { return desk.engine().workspace().reach; };
+    desk.pick("workspace-reach", 2);
+    Study study;
+    study.design.name = "Reach";
+    study.design.conditions = {"drifting"};
+    study.conditions = {desk.program.document.scene()};
+    desk.program.command("undo").trigger();
+    QCOMPARE(reach(), Reach{});
+    const QString file = folder_.filePath(QStringLiteral("reach.tactum-study"));
+    StudySession& session = desk.program.window->study();
+    VERIFY_RESULT(session.begin(std::make_shared<const Study>(study), {file.toStdU16String()}));
+    QTRY_COMPARE_WITH_TIMEOUT(reach().mode, ReachMode::Drift, kPatience);
+    QCOMPARE(static_cast<QComboBox&>(desk.widget("workspace-reach")).currentIndex(), 0); // the document's
+    session.end();
+    QTRY_COMPARE_WITH_TIMEOUT(reach(), Reach{}, kPatience);
 }
 
 void TestDeviceUse::theCeilingFallsWithTheScale() {
