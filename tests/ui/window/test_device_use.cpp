@@ -300,7 +300,7 @@ void TestDeviceUse::beyondTheShellTheWorkspaceGoesOn() {
     QVERIFY(went);
     desk.desk->place(0, 0, 0.015);
     QTRY_COMPARE_WITH_TIMEOUT(desk.desk->force.load(), 0.0, kPatience);
-    QVERIFY(!desk.widget("workspace-beyond").isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.widget("workspace-beyond").isVisible(), kPatience);
     const double home = offset();
     desk.program.frames(20);
     QCOMPARE(offset(), home);
