@@ -151,6 +151,7 @@ Json loadedJson(const LoadedScene& loaded) {
               {"triangles", scene.triangles},
               {"bounds_m", boundsJson(scene.bounds_W)},
               {"parameters", parametersJson(scene.parameters)},
+              {"reach", scene.reach},
               {"objects", Json::array()},
               {"bodies", Json::array()},
               {"joints", Json::array()},
@@ -254,6 +255,7 @@ void printInfo(const LoadedScene& loaded) {
     std::cout << "scene: " << counted(scene.objects.size(), "object") << ", "
               << counted(scene.triangles, "triangle") << ", diagonal " << diagonal << " m\n";
     printInfo(scene.parameters, "  ");
+    if (loaded.scene.reach != Reach{}) std::cout << "  reach: " << scene.reach << '\n';
     for (const ObjectDescription& object : scene.objects)
         printInfo(object);
     for (const BodyDescription& body : scene.bodies)

@@ -48,6 +48,12 @@ std::string sizeOf(const Bounds& box) {
     return readable(size.x()) + " x " + readable(size.y()) + " x " + readable(size.z()) + " mm";
 }
 
+/// How hands get beyond their device's workspace.
+std::string wordsOf(const Reach& reach) {
+    const std::string words(kReachChoices[std::size_t(reach.mode)].label);
+    return reach.mode == ReachMode::Rate ? words + ", " + readable(1e3 * reach.shell) + " mm" : words;
+}
+
 std::string beginning(const ReportSubject& subject, const SceneDescription& scene) {
     const std::string unsaved = "the scene is not saved as it is here";
     return heading(1, subject.name) +
@@ -58,7 +64,8 @@ std::string beginning(const ReportSubject& subject, const SceneDescription& scen
                   {"Objects", std::to_string(scene.objects.size())},
                   {"Triangles", std::to_string(scene.triangles)},
                   {"Size", sizeOf(scene.bounds_W)},
-                  {"Proxy radius", readable(1e3 * subject.scene.proxyRadius) + " mm"}}) +
+                  {"Proxy radius", readable(1e3 * subject.scene.proxyRadius) + " mm"},
+                  {"Reach of the hand", wordsOf(subject.scene.reach)}}) +
            picture("image/png", previewOf(subject.scene, kPictureWidth, kPictureHeight),
                    "The scene, seen from the front, the right and above", kPictureWidth);
 }

@@ -99,6 +99,7 @@ SceneDescription describe(const Scene& scene) {
     SceneDescription result;
     result.bounds_W = boundsOf(scene);
     result.parameters.push_back(described(kProxyRadius, scene.proxyRadius));
+    result.reach = kReachChoices[std::size_t(scene.reach.mode)].key;
     if (scene.reach.mode == ReachMode::Rate)
         result.parameters.push_back(described(kShellRadius, scene.reach.shell));
     if (!scene.mechanics.bodies.empty())

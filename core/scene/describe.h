@@ -86,6 +86,7 @@ struct SceneDescription {
     std::size_t triangles = 0;
     Bounds bounds_W;                              ///< m, world frame
     std::vector<ParameterDescription> parameters; ///< of the scene itself: the proxy radius
+    std::string_view reach;                       ///< of hands, a key of kReachChoices
     std::vector<ObjectDescription> objects;
     std::vector<BodyDescription> bodies;
     std::vector<JointDescription> joints;

@@ -332,6 +332,27 @@ private slots:
         QCOMPARE(layer["strength"].toObject()["unit"].toString(), QString("m"));
     }
 
+    void infoSaysHowHandsReach() {
+        const auto reaching = [&](const QByteArray& how) {
+            return write(
+                "bare.gltf",
+                QByteArray(
+                    R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+                "extensionsUsed":["TACTUM_haptics"],"extensions":{"TACTUM_haptics":{"version":"1.0"@}},
+                "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+                "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],
+                "max":[0.1,0.1,0]}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,
+                "uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAzczMPQAAAAAAAAAAAAAAAM3MzD0AAAAA"}]})")
+                    .replace("@", how));
+        };
+        const QString drifts = reaching(",\"reach\":\"drift\"");
+        COMPARE_CONTAINS(runTactum({"info", drifts}).out, "  reach: drift\n");
+        const QByteArray json = runTactum({"info", drifts, "--json"}).out;
+        QCOMPARE(QJsonDocument::fromJson(json).object()["reach"].toString(), QStringLiteral("drift"));
+        COMPARE_CONTAINS(runTactum({"info", reaching(",\"reach\":\"rate\"")}).out, "  reach: rate\n");
+        COMPARE_LACKS(runTactum({"info", reaching("")}).out, "reach:");
+    }
+
     void infoNamesCameras() {
         const QString scene =
             write("cameras.gltf",

@@ -119,6 +119,14 @@ void TestSceneReport::valuesAreTheScenes() {
     QCOMPARE(report.rowsOf(QStringLiteral("File's SHA-256")),
              (QList<QStringList>{{"File's SHA-256", "0123abcd"}}));
     QCOMPARE(report.rowsOf(QStringLiteral("Size")), (QList<QStringList>{{"Size", "120 x 8 x 120 mm"}}));
+    const auto reachOf = [&](const Reach& reach) {
+        Scene reaching = scene;
+        reaching.reach = reach;
+        return reportOf(subjectOf(reaching)).rowsOf(QStringLiteral("Reach of the hand")).value(0).value(1);
+    };
+    QCOMPARE(reachOf({}), QStringLiteral("Position"));
+    QCOMPARE(reachOf({ReachMode::Drift, 0.02}), QStringLiteral("Drift"));
+    QCOMPARE(reachOf({ReachMode::Rate, 0.02}), QStringLiteral("Rate control beyond the shell, 20 mm"));
     scene.objects.front().surfaces.front() = Surface();
     scene.objects.front().surfaces.front().name = "top";
     COMPARE_CONTAINS(reportOf(subjectOf(scene)).rowsOf(QStringLiteral("plate: top")).front().join(u' '),
