@@ -41,7 +41,7 @@ signals:
     void removed(const QString& name);
 
 protected:
-    void changeEvent(QEvent* event) override; ///< another theme
+    void changeEvent(QEvent* event) override;                   ///< another theme
     bool eventFilter(QObject* watched, QEvent* event) override; ///< down from the search to the pictures
 
 private:

@@ -156,8 +156,8 @@ public:
     void clearMeasure();
     /// Where its numbers are written, in logical pixels.
     std::vector<QRectF> measuredBoxes() const;
-    /// Other widgets lie over these parts of the view, in logical pixels: numbers are written beside them, and
-    /// the axes stand below what covers their corner.
+    /// Other widgets lie over these parts of the view, in logical pixels: numbers are written beside them,
+    /// and the axes stand below what covers their corner.
     void setCovered(const QRegion& covered);
     /// The box of the scene at the time 0, world frame; empty: nothing is in it.
     Bounds bounds() const;

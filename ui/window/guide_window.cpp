@@ -166,8 +166,7 @@ void GuideWindow::showWhere(const QUrl& page) {
     if (!searchWords(field_->text()).isEmpty()) return;
     const QSignalBlocker quiet(list_);
     for (QTreeWidgetItemIterator each(list_); *each; ++each)
-        if ((*each)->data(0, kFileRole).toString() == page.toLocalFile())
-            list_->setCurrentItem(*each);
+        if ((*each)->data(0, kFileRole).toString() == page.toLocalFile()) list_->setCurrentItem(*each);
 }
 
 bool GuideWindow::eventFilter(QObject* watched, QEvent* event) {
