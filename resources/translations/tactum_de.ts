@@ -1780,6 +1780,14 @@
             <translation>Winkel %1</translation>
         </message>
         <message>
+            <source>Another colour for the selected surfaces, to be seen by; what is felt stays</source>
+            <translation>Eine andere Farbe für die gewählten Flächen, nur fürs Auge; was gefühlt wird, bleibt</translation>
+        </message>
+        <message>
+            <source>Another colour for the selected surfaces. It is only seen.</source>
+            <translation>Eine andere Farbe für die gewählten Flächen. Sie wird nur gesehen.</translation>
+        </message>
+        <message>
             <source>Another hand has this device; remove that hand first.</source>
             <translation>Eine andere Hand hat dieses Gerät; zuerst diese Hand entfernen.</translation>
         </message>
@@ -2202,6 +2210,18 @@
         <message>
             <source>Colo&amp;ur map</source>
             <translation>Far&amp;bkarte</translation>
+        </message>
+        <message>
+            <source>Colo&amp;ur...</source>
+            <translation>&amp;Farbe...</translation>
+        </message>
+        <message>
+            <source>Colour</source>
+            <translation>Farbe</translation>
+        </message>
+        <message>
+            <source>Colour of %1</source>
+            <translation>Farbe von %1</translation>
         </message>
         <message>
             <source>Colours the surfaces by the sum of their height layers</source>
@@ -5433,6 +5453,10 @@ der Grenze rendern</translation>
             <translation>Zuerst eine Oberfläche auswählen oder das Bild auf dem Modell ablegen.</translation>
         </message>
         <message>
+            <source>Select a surface first.</source>
+            <translation>Wählen Sie zuerst eine Fläche.</translation>
+        </message>
+        <message>
             <source>Select an object to give it a mass, a hinge or a slider.</source>
             <translation>Ein Objekt auswählen, um ihm eine Masse, ein Scharnier oder eine Schiene zu geben.</translation>
         </message>
@@ -7226,6 +7250,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>What is selected is locked.</source>
             <translation>Was ausgewählt ist, ist gesperrt.</translation>
+        </message>
+        <message>
+            <source>What is selected is locked; unlock it first (L).</source>
+            <translation>Was gewählt ist, ist gesperrt; entsperren Sie es zuerst (L).</translation>
         </message>
         <message>
             <source>What is selected, and its area</source>
