@@ -73,7 +73,8 @@ void Outliner::follow(const SceneChange& change) {
     if (change.what == What::Selection)
         showSelection();
     else if (change.what == What::Everything || change.what == What::Objects ||
-             change.what == What::Surfaces || change.what == What::Names || change.what == What::Bodies)
+             change.what == What::Surfaces || change.what == What::Names || change.what == What::Bodies ||
+             change.what == What::Material) // for its colour
         refresh();
 }
 

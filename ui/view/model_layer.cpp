@@ -97,6 +97,21 @@ void ModelLayer::setScene(const Scene& scene) {
     showCrowd();
 }
 
+bool ModelLayer::setLooks(const Scene& scene) {
+    bool any = false;
+    for (const SceneObject& object : scene.objects) {
+        const auto known = models_.find(object.id);
+        if (known == models_.end() || known->second->parts.size() != object.surfaces.size()) continue;
+        const auto looksLike = [](const auto& part, const Surface& surface) {
+            return part->colour == surface.colour && part->gloss == glossOf(surface.material);
+        };
+        if (std::ranges::equal(known->second->parts, object.surfaces, looksLike)) continue;
+        update(*known->second, object);
+        any = true;
+    }
+    return any;
+}
+
 /// The crowd anew, where other parts are in it than before.
 void ModelLayer::gather() {
     if (!std::exchange(crowdStale_, false)) return;

@@ -55,6 +55,8 @@ public:
     void putNoOthers(std::span<const PlacedObject> places);
     /// The box of all bodies that move, where they are. World frame.
     Bounds movingBounds() const;
+    /// Colours and gloss of its surfaces, whose shapes are those of the last setScene(). True if any differs.
+    bool setLooks(const Scene& scene);
     void setWireframe(bool on);
     void setHighlight(std::optional<SurfaceRef> surface, const QColor& glow);
     /// Normals of large meshes come from another thread; shows those that are finished. True if any was.

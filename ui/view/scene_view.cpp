@@ -188,6 +188,10 @@ void SceneView::setScene(const Scene& scene) {
     changed();
 }
 
+void SceneView::setLooks(const Scene& scene) {
+    if (impl_->model.setLooks(scene)) changed();
+}
+
 void SceneView::setSelection(std::vector<SurfaceRef> surfaces) {
     impl_->selection = std::move(surfaces);
     impl_->refreshSelection();

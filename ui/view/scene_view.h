@@ -96,6 +96,8 @@ public:
     /// Shows a scene. Objects whose geometry is still the same keep what was made of it. The first scene
     /// with an extent is fitted into the view; later ones leave the camera alone.
     void setScene(const Scene& scene);
+    /// Colours and gloss of a scene that has the shapes of the last one.
+    void setLooks(const Scene& scene);
     /// Outlines surfaces.
     void setSelection(std::vector<SurfaceRef> surfaces);
     /// Lays the selection's colour over triangles of an object, in the numbers of its geometry.

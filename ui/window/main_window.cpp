@@ -330,6 +330,7 @@ void MainWindow::follow(const SceneChange& change) {
     trial_->end();
     if (change.what == What::Selection) return selecting_->showSelection();
     if (change.what == What::ProxyRadius) return view_->setProxyRadius(document_.scene().proxyRadius);
+    if (change.what == What::Material) return view_->setLooks(document_.scene());
     // The World from before knows other objects by the same numbers.
     if (change.what == What::Everything) view_->setWorld(nullptr);
     if (change.touchesShape()) {

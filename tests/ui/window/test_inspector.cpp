@@ -181,6 +181,12 @@ void TestInspector::aColourIsChosen() {
             }
         return dialog;
     };
+    const auto hue = [&] { // of the body, in the middle of the picture
+        const QImage picture = program.window->view().grabPicture();
+        return picture.pixelColor(picture.rect().center()).hue();
+    };
+    const int cold = hue();
+    QCOMPARE_GT(cold, 150);
     const Eigen::Vector3f orange(1, std::pow(128 / 255.0F, 2.2F), 0);
     for (const bool accepted : {false, true}) {
         QPointer<QColorDialog> dialog = type("surface-colour", QStringLiteral("#ff8000"));
@@ -188,6 +194,7 @@ void TestInspector::aColourIsChosen() {
         for (const Index i : {0, 1}) // while it is open
             COMPARE_NEAR((colour(i) - orange).norm(), 0.0F, 2e-3F, "");
         QVERIFY(colour(2) == before.objects[0].surfaces[2].colour);
+        COMPARE_NEAR(hue(), 30, 15, ""); // seen as well
         QTest::keyClick(dialog, accepted ? Qt::Key_Return : Qt::Key_Escape);
         QTRY_VERIFY(!dialog);
         QCOMPARE(document.history().count(), steps + accepted);
@@ -196,6 +203,7 @@ void TestInspector::aColourIsChosen() {
     COMPARE_NEAR((colour(0) - orange).norm(), 0.0F, 2e-3F, "");
     document.history().undo();
     QVERIFY(document.scene() == before);
+    COMPARE_NEAR(hue(), cold, 5, "");
     document.select({ref(program, 2)});
     program.command("surface-colour").trigger();
     QVERIFY(!program.window->findChild<QColorDialog*>()); // it is locked

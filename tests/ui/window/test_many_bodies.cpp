@@ -64,10 +64,10 @@ void TestManyBodies::fewActorsShowThem() {
     TouchedWindow program;
     QVERIFY(program.open(file_));
     SceneView& view = program.window->view();
-    QVERIFY2(view.actorCount() < 60, qPrintable(QString::number(view.actorCount())));
+    QVERIFY2(view.actorCount() < 64, qPrintable(QString::number(view.actorCount())));
     program.command("select-all").trigger();
     QCOMPARE(program.document.selected().size(), std::size_t(kBodies));
-    QVERIFY2(view.actorCount() < 60, qPrintable(QString::number(view.actorCount())));
+    QVERIFY2(view.actorCount() < 64, qPrintable(QString::number(view.actorCount())));
     if (qEnvironmentVariableIsSet("TACTUM_PICTURE"))
         program.window->grab().save(qEnvironmentVariable("TACTUM_PICTURE"));
 }
