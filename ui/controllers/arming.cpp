@@ -1,5 +1,9 @@
 #include "ui/controllers/arming.h"
 
+#include <functional>
+
+#include <QEvent>
+
 #include "core/runtime/engine.h"
 #include "ui/engine/device_link.h"
 #include "ui/engine/guard_watch.h"
@@ -22,6 +26,24 @@ QString openAgain() {
     return Arming::tr("Open again");
 }
 
+/// Does something when a dialog takes the mouse and the keys from a window.
+class WhenBlocked : public QObject {
+public:
+    WhenBlocked(QObject& window, std::function<void()> act, QObject* parent)
+        : QObject(parent), act_(std::move(act)) {
+        window.installEventFilter(this);
+    }
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() == QEvent::WindowBlocked) act_();
+        return false;
+    }
+
+private:
+    std::function<void()> act_;
+};
+
 } // namespace
 
 Arming::Arming(Engine& engine, Actions& actions, SceneView& view, NoticeBar& notice, GuardWatch& guard,
@@ -31,6 +53,8 @@ Arming::Arming(Engine& engine, Actions& actions, SceneView& view, NoticeBar& not
     connect(&actions["armed"], &QAction::triggered, this, &Arming::set);
     connect(&actions["stop"], &QAction::triggered, this, [this] { set(false); });
     connect(new HeldKey(Qt::Key_Escape, kHoldToStop, this), &HeldKey::held, this, [this] { set(false); });
+    new WhenBlocked(
+        *parent, [this] { view_.endTouch(); }, this); // the button's release goes elsewhere
     connect(&guard, &GuardWatch::faulted, this, [this](InhibitReason why) {
         offer();
         if (why == InhibitReason::DeviceLost) link_.look(); // whether it is there at all

@@ -16,8 +16,10 @@ bool HeldKey::eventFilter(QObject* watched, QEvent* event) {
     const bool press = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
     if (press || event->type() == QEvent::KeyRelease) {
         const auto* key = static_cast<QKeyEvent*>(event);
-        // A held key repeats as pairs of release and press: those say nothing.
-        if (key->key() == key_ && !key->isAutoRepeat()) {
+        // A held key repeats as pairs of release and press: those say nothing, but that it is held still.
+        const bool again = press && lost_ && key->isAutoRepeat();
+        if (key->key() == key_ && (!key->isAutoRepeat() || again)) {
+            lost_ = false;
             if (!press)
                 timer_.stop();
             else if (!timer_.isActive())
@@ -26,6 +28,11 @@ bool HeldKey::eventFilter(QObject* watched, QEvent* event) {
     }
     // The release of a key goes elsewhere once the program is not in front.
     if (event->type() == QEvent::ApplicationDeactivate) timer_.stop();
+    // And with the dialog that it has closed.
+    if (event->type() == QEvent::WindowUnblocked && timer_.isActive()) {
+        timer_.stop();
+        lost_ = true;
+    }
     return QObject::eventFilter(watched, event);
 }
 

@@ -21,6 +21,7 @@ protected:
 private:
     Qt::Key key_;
     QTimer timer_;
+    bool lost_ = false; ///< its release may have gone with a dialog
 };
 
 } // namespace tactum

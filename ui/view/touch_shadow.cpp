@@ -89,6 +89,8 @@ public:
             for (int column = 0; column + 1 < kAcross; ++column)
                 join({index(row, column), index(row, column + 1), index(row + 1, column + 1),
                       index(row + 1, column)});
+        for (const int corner : torn_)
+            sheet_.dark[std::size_t(corner)] = 0; // it ends softly, and not in the teeth of cells
         return std::move(sheet_);
     }
 
@@ -114,12 +116,17 @@ private:
         double least = HUGE_VAL, most = -HUGE_VAL, dark = 0;
         for (const int corner : corners) {
             const auto& way = way_[std::size_t(corner)];
-            if (!way) return;
+            if (!way) return tear(corners);
             least = std::min(least, *way);
             most = std::max(most, *way);
             dark = std::max(dark, sheet_.dark[std::size_t(corner)]);
         }
-        if (dark > 0 && most - least <= kSteepest * step_) sheet_.cells.push_back(corners);
+        if (most - least > kSteepest * step_) return tear(corners);
+        if (dark > 0) sheet_.cells.push_back(corners);
+    }
+
+    void tear(const std::array<int, 4>& corners) {
+        torn_.insert(torn_.end(), corners.begin(), corners.end());
     }
 
     const TouchCaster& caster_;
@@ -131,6 +138,7 @@ private:
     int rows_ = 0;
     ShadowSheet sheet_;
     std::vector<std::optional<double>> way_;
+    std::vector<int> torn_; ///< corners of cells that are not there
 };
 
 } // namespace

@@ -68,7 +68,8 @@ int paletteScore(const QString& typed, const PaletteEntry& entry) {
         if (more == 0) return 0;
         score += more;
     }
-    return score;
+    constexpr int kItsName = 64; // above whatever has the words in it
+    return typed.trimmed().toCaseFolded() == entry.text.toCaseFolded() ? score + kItsName : score;
 }
 
 std::vector<std::size_t> paletteOrder(const QString& typed, const std::vector<PaletteEntry>& entries,

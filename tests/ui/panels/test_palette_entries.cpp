@@ -64,6 +64,7 @@ private slots:
         row("fal", 2);    // letters in their order
         row("laf", 0);
         row("frame view", 21); // each word counts
+        row("frame all", 97);  // its name
         row("frame xyz", 0);   // and each has to fit
         row("iew", 0);         // inside of a word of the menu
         row("amera", 0);       // or of the sentence

@@ -158,6 +158,13 @@ private slots:
                 const auto isUp = [&](int i) { return std::abs(sheet.points[std::size_t(i)].y()) < 1e-9; };
                 QCOMPARE(std::ranges::all_of(cell, isUp), std::ranges::any_of(cell, isUp));
             }
+            // And it ends softly: at the last points before the step there is nothing of it.
+            double last = -HUGE_VAL, dark = 1;
+            for (const auto& cell : sheet.cells)
+                for (const int i : cell)
+                    if (const Vec3& p = sheet.points[std::size_t(i)]; std::abs(p.y()) < 1e-9 && p.x() > last)
+                        last = p.x(), dark = sheet.dark[std::size_t(i)];
+            COMPARE_NEAR(dark, 0.0, 1e-12, "");
         }
     }
 

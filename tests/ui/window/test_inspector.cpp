@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTest>
@@ -43,6 +44,7 @@ private slots:
     void severalSurfacesShowMixed();
     void lockedSurfacesCannotBeSet();
     void aColourIsChosen();
+    void aDialogEndsTheTouch();
     void aFeelIsCopiedAndPasted();
     void othersBecomeTheSameAsTheActiveOne();
     void normalsAreTurnedOver();
@@ -207,6 +209,31 @@ void TestInspector::aColourIsChosen() {
     document.select({ref(program, 2)});
     program.command("surface-colour").trigger();
     QVERIFY(!program.window->findChild<QColorDialog*>()); // it is locked
+}
+
+/// The button is let go over the dialog, and the view never hears of it. The key that closes the dialog is
+/// let go where nobody hears it either.
+void TestInspector::aDialogEndsTheTouch() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    QVERIFY(program.fullForce());
+    program.document.select({ref(program, 0)});
+    program.press(program.centre());
+    const auto touches = [&] {
+        program.frames(2);
+        return program.touch().contacts > 0;
+    };
+    QVERIFY2(test::waitFor(touches), "it never touches");
+    program.command("surface-colour").trigger();
+    QPointer<QColorDialog> dialog = program.window->findChild<QColorDialog*>();
+    QVERIFY2(dialog, "no dialog");
+    QVERIFY2(test::waitFor([&] { return !touches(); }), "it goes on touching");
+    QTest::keyPress(dialog, Qt::Key_Escape);
+    QTRY_VERIFY(!dialog);
+    QElapsedTimer clock; // longer than a key is to be held for a stop
+    for (clock.start(); clock.elapsed() < 700;)
+        program.frames(1);
+    QVERIFY2(program.command("stop").isEnabled(), "the forces are off");
 }
 
 void TestInspector::aFeelIsCopiedAndPasted() {
