@@ -83,8 +83,16 @@ vec3 feltNoise(int p, vec2 at) {
 )";
 
 /// `$` stands for the pattern's number, `@` for where its numbers begin.
-constexpr const char* kTiled = "vec3 feltFlat$(vec2 at) { return texture(feltTile$, at).xyz; }\n";
-constexpr const char* kNoisy = "vec3 feltFlat$(vec2 at) { return feltNoise(@, at); }\n";
+constexpr const char* kTiled = R"(
+vec3 feltFlat$(vec2 at) { return texture(feltTile$, at).xyz; }
+vec3 feltKept$(vec3 weight) { return weight; } // to choose costs more than to look up
+)";
+constexpr const char* kNoisy = R"(
+vec3 feltFlat$(vec2 at) { return feltNoise(@, at); }
+vec3 feltKept$(vec3 weight) {
+    return feltQuick > 0 ? max(weight - 0.5 * max(weight.x, max(weight.y, weight.z)), 0.0) : weight;
+}
+)";
 constexpr const char* kPainted = R"(
 vec4 feltPattern$(vec3 place, vec3 n) { return feltOf(clamp(feltPainted$, 0.0, 1.0), feltGradient(feltPainted$)); }
 )";
@@ -100,7 +108,7 @@ vec4 feltPattern$(vec3 place, vec3 n) {
     vec3 p = feltFramed(@, place);
     vec3 side = vec3(dot(feltNumbers[@].xyz, n), dot(feltNumbers[@ + 1].xyz, n), dot(feltNumbers[@ + 2].xyz, n));
     vec3 weight = max(side * side * side * side - 1e-4, 0.0);
-    if (feltQuick > 0) weight = max(weight - 0.5 * max(weight.x, max(weight.y, weight.z)), 0.0);
+    weight = feltKept$(weight);
     weight /= weight.x + weight.y + weight.z;
     vec4 sum = vec4(0.0);
     for (int axis = 0; axis < 3; ++axis) {
