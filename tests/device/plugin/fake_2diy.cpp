@@ -1,11 +1,7 @@
 #include "tests/device/plugin/fake_2diy.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
-#include <fcntl.h>
-#include <poll.h>
-#include <unistd.h>
 
 namespace tactum::test {
 namespace {
@@ -34,14 +30,12 @@ float measured(double angle) {
 
 } // namespace
 
-Fake2diy::Fake2diy() : port_(folder_.filePath("port").toStdString()) {
-    setenv("HAPLY_2DIY", port_.c_str(), 1);
+Fake2diy::Fake2diy() {
     plug();
 }
 
 Fake2diy::~Fake2diy() {
     unplug();
-    unsetenv("HAPLY_2DIY");
 }
 
 void Fake2diy::hold(const Vec3& position) {
@@ -65,69 +59,57 @@ Vec3 Fake2diy::pushed() const {
 }
 
 void Fake2diy::unplug() {
-    if (master_ < 0) return;
-    ends_ = true;
-    thread_.join();
-    close(std::exchange(master_, -1));
-    std::filesystem::remove(port_);
+    port_.unplug();
     const std::lock_guard lock(mutex_);
     torques_ = {}; // its power came by the cable
 }
 
 void Fake2diy::plug() {
-    master_ = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
-    if (master_ < 0 || grantpt(master_) != 0 || unlockpt(master_) != 0) std::abort();
-    std::filesystem::create_symlink(ptsname(master_), port_);
-    ends_ = reset_ = wired_ = false;
-    thread_ = std::thread([this, master = master_] { run(master); });
+    bytes_.clear();
+    reset_ = wired_ = false;
+    port_.plug([this] { step(); });
 }
 
-void Fake2diy::run(int master) {
-    std::vector<unsigned char> bytes;
-    while (!ends_) {
-        pollfd ready{.fd = master, .events = POLLIN, .revents = 0};
-        if (poll(&ready, 1, 5) <= 0 || !(ready.revents & POLLIN)) continue;
-        std::array<unsigned char, 256> more;
-        const ssize_t count = read(master, more.data(), more.size());
-        if (count > 0) bytes.insert(bytes.end(), more.begin(), more.begin() + count);
-        take(bytes, master);
-    }
+void Fake2diy::step() {
+    using namespace std::chrono_literals;
+    const std::string_view more = port_.hear(5ms);
+    bytes_.insert(bytes_.end(), more.begin(), more.end());
+    takeWholePackets();
 }
 
-/// All packets that are whole.
-void Fake2diy::take(std::vector<unsigned char>& bytes, int master) {
+void Fake2diy::takeWholePackets() {
     static constexpr std::array<std::size_t, 3> kLengths{2, 2 + 8 + 16, 2 + 8}; // reset, set up, torques
-    while (!bytes.empty()) {
-        const unsigned char kind = bytes[0];
+    while (!bytes_.empty()) {
+        const unsigned char kind = bytes_[0];
         if (kind > 2) {
             ++complaints_;
-            bytes.clear();
+            bytes_.clear();
             return;
         }
         const std::size_t length = kLengths[kind];
-        if (bytes.size() < length) return;
+        if (bytes_.size() < length) return;
         if (kind == 0) reset_ = true;
         if (kind == 1) {
             // Motors at ports 1 and 2, then encoders; no sensors, no outputs; the rest angles in degrees, and
             // counts.
             static constexpr std::array<unsigned char, 8> kWiring{3, 1, 1, 3, 1, 1, 0, 0};
             static constexpr std::array<float, 4> kEncoders{12, 4880, 168, 4880};
-            wired_ = reset_ && std::memcmp(&bytes[2], kWiring.data(), 8) == 0 &&
-                     std::memcmp(&bytes[10], kEncoders.data(), 16) == 0;
+            wired_ = reset_ && std::memcmp(&bytes_[2], kWiring.data(), 8) == 0 &&
+                     std::memcmp(&bytes_[10], kEncoders.data(), 16) == 0;
             if (!wired_) ++complaints_;
         }
         if (kind == 2 && !wired_) ++complaints_;
         if (kind == 2 && wired_) {
             const std::lock_guard lock(mutex_);
-            std::memcpy(&torques_[1], &bytes[2], 4); // port 1: the right motor
-            std::memcpy(&torques_[0], &bytes[6], 4);
+            std::memcpy(&torques_[1], &bytes_[2], 4); // port 1: the right motor
+            std::memcpy(&torques_[0], &bytes_[6], 4);
         }
-        bytes.erase(bytes.begin(), bytes.begin() + std::ptrdiff_t(length));
-        if (kind == 2 && wired_) answer(master);
+        bytes_.erase(bytes_.begin(), bytes_.begin() + std::ptrdiff_t(length));
+        if (kind == 2 && wired_) answer();
     }
 }
 
-void Fake2diy::answer(int master) const {
+void Fake2diy::answer() const {
     Angles angles{};
     {
         const std::lock_guard lock(mutex_);
@@ -136,7 +118,7 @@ void Fake2diy::answer(int master) const {
     std::array<unsigned char, 9> packet{kBoard};
     const std::array<float, 2> byPort{measured(angles.right), measured(angles.left)};
     std::memcpy(&packet[1], byPort.data(), 8);
-    if (write(master, packet.data(), packet.size()) < 0) std::abort();
+    port_.say({reinterpret_cast<const char*>(packet.data()), packet.size()});
 }
 
 } // namespace tactum::test

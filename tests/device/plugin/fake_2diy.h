@@ -8,14 +8,11 @@
 
 #include <array>
 #include <atomic>
-#include <filesystem>
 #include <mutex>
-#include <thread>
 #include <vector>
 
-#include <QTemporaryDir>
-
 #include "core/base/vec.h"
+#include "tests/device/serial/board_port.h"
 
 namespace tactum::test {
 
@@ -38,17 +35,14 @@ public:
     void plug();
 
 private:
-    void run(int master);
-    void take(std::vector<unsigned char>& bytes, int master);
-    void answer(int master) const;
+    void step();
+    void takeWholePackets();
+    void answer() const;
 
-    QTemporaryDir folder_;
-    std::filesystem::path port_; ///< a link to the pseudo-terminal of the day
-    int master_ = -1;
-    std::thread thread_;
-    std::atomic<bool> ends_{false};
+    BoardPort port_{"HAPLY_2DIY", "haply"};
     std::atomic<int> complaints_{0};
-    bool reset_ = false, wired_ = false; ///< of the thread
+    std::vector<unsigned char> bytes_; ///< of the thread, as the next
+    bool reset_ = false, wired_ = false;
 
     mutable std::mutex mutex_; ///< of the two below
     Vec3 handle_ = Vec3::Zero();

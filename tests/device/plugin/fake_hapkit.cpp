@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <deque>
 
-#include <fcntl.h>
-#include <poll.h>
 #include <termios.h>
-#include <unistd.h>
 
 #include "tests/device/plugin/arduino/Arduino.h"
 
@@ -20,7 +16,7 @@ namespace {
 constexpr double kHandle = 0.065659, kPulley = 0.004191, kSector = 0.073152, kTorque = 0.03; // m, N m
 constexpr int kLeast = 48, kMost = 971; ///< of the sensor
 
-int master = -1;
+tactum::test::BoardPort* port = nullptr;
 long boardsBaud = 0;
 std::deque<std::uint8_t> heard;
 double handle = 0; ///< m
@@ -29,16 +25,13 @@ std::atomic<int> duty{0}, level{0};
 /// Bytes at another speed are none.
 bool sameSpeed() {
     termios host{};
-    return tcgetattr(master, &host) == 0 && cfgetospeed(&host) == B500000 && boardsBaud == 500000;
+    return tcgetattr(port->master(), &host) == 0 && cfgetospeed(&host) == B500000 && boardsBaud == 500000;
 }
 
 void listen() {
-    pollfd ready{.fd = master, .events = POLLIN, .revents = 0};
-    const timespec soon{.tv_sec = 0, .tv_nsec = 200'000};
-    if (ppoll(&ready, 1, &soon, nullptr) <= 0 || !(ready.revents & POLLIN)) return;
-    std::array<std::uint8_t, 64> bytes;
-    const ssize_t count = read(master, bytes.data(), bytes.size());
-    if (count > 0 && sameSpeed()) heard.insert(heard.end(), bytes.begin(), bytes.begin() + count);
+    using namespace std::chrono_literals;
+    const std::string_view bytes = port->hear(200us);
+    if (!bytes.empty() && sameSpeed()) heard.insert(heard.end(), bytes.begin(), bytes.end());
 }
 
 } // namespace
@@ -75,21 +68,22 @@ int ArduinoSerial::read() {
     return byte;
 }
 std::size_t ArduinoSerial::write(const std::uint8_t* bytes, std::size_t count) {
-    return std::size_t(std::max<ssize_t>(::write(master, bytes, count), 0));
+    port->say({reinterpret_cast<const char*>(bytes), count});
+    return count;
 }
 
 // ---- What it is built into
 
 namespace tactum::test {
 
-FakeHapkit::FakeHapkit() : port_(folder_.filePath("hapkit").toStdString()) {
-    setenv("HAPKIT", port_.c_str(), 1);
+FakeHapkit::FakeHapkit() {
+    port = &port_;
     plug();
 }
 
 FakeHapkit::~FakeHapkit() {
     unplug();
-    unsetenv("HAPKIT");
+    port = nullptr;
 }
 
 void FakeHapkit::hold(double x) {
@@ -102,36 +96,26 @@ Vec3 FakeHapkit::pushed() const {
 }
 
 void FakeHapkit::unplug() {
-    if (master < 0) return;
-    ends_ = true;
-    thread_.join();
-    close(std::exchange(master, -1));
-    std::filesystem::remove(port_);
+    port_.unplug();
     duty = 0; // its power came by the cable
 }
 
 void FakeHapkit::plug() {
-    master = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
-    if (master < 0 || grantpt(master) != 0 || unlockpt(master) != 0) std::abort();
-    std::filesystem::create_symlink(ptsname(master), port_);
-    ends_ = false;
     wanted_ = handle = 0;
     heard.clear();
-    thread_ = std::thread([this] { run(); });
+    setup();
+    port_.plug([this] { step(); });
 }
 
-void FakeHapkit::say(const char* bytes, std::size_t count) const {
-    if (::write(master, bytes, count) < 0) std::abort();
+void FakeHapkit::say(std::string_view bytes) const {
+    port_.say(bytes);
 }
 
 /// A millimetre at a time, a sixth of the half turn that the sensor tells apart.
-void FakeHapkit::run() {
-    setup();
-    while (!ends_) {
-        listen();
-        handle += std::clamp(wanted_ - handle, -1e-3, 1e-3);
-        loop();
-    }
+void FakeHapkit::step() {
+    listen();
+    handle += std::clamp(wanted_ - handle, -1e-3, 1e-3);
+    loop();
 }
 
 } // namespace tactum::test

@@ -8,12 +8,9 @@
 #pragma once
 
 #include <atomic>
-#include <filesystem>
-#include <thread>
-
-#include <QTemporaryDir>
 
 #include "core/base/vec.h"
+#include "tests/device/serial/board_port.h"
 
 namespace tactum::test {
 
@@ -30,15 +27,12 @@ public:
 
     void unplug();
     void plug();
-    void say(const char* bytes, std::size_t count) const; ///< to the host, in between
+    void say(std::string_view bytes) const; ///< to the host, in between
 
 private:
-    void run();
+    void step();
 
-    QTemporaryDir folder_;
-    std::filesystem::path port_; ///< a link to the pseudo-terminal of the day
-    std::thread thread_;
-    std::atomic<bool> ends_{false};
+    BoardPort port_{"HAPKIT", "hapkit"};
     std::atomic<double> wanted_{0};
 };
 

@@ -92,7 +92,7 @@ private slots:
         const char noise[] = "\xA5\xA5\x10\x20\x01\xC3"
                              "Error\n\xA5"; // begins as an answer does
         QVERIFY(until({0, 0, 0}, [&](const DeviceSample& sample) {
-            board_->say(noise, sizeof noise - 1);
+            board_->say({noise, sizeof noise - 1});
             if (sample.valid && std::abs(sample.position.x() - 0.02) > 3e-5)
                 qFatal("noise was taken for a place");
             return (read += sample.valid) > 100;

@@ -2,11 +2,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-
-#include <fcntl.h>
-#include <poll.h>
-#include <unistd.h>
 
 namespace tactum::test {
 namespace {
@@ -92,15 +87,12 @@ Vec3 pushOf(const std::array<int, 3>& milliamperes, const Vec3& finger) {
 
 } // namespace
 
-FakePolhem::FakePolhem(Firmware firmware)
-    : firmware_(firmware), port_(folder_.filePath("polhem").toStdString()) {
-    setenv("TACTUM_POLHEM", port_.c_str(), 1);
+FakePolhem::FakePolhem(Firmware firmware) : firmware_(firmware) {
     plug();
 }
 
 FakePolhem::~FakePolhem() {
     unplug();
-    unsetenv("TACTUM_POLHEM");
 }
 
 void FakePolhem::hold(const Vec3& finger) {
@@ -131,41 +123,28 @@ Vec3 FakePolhem::pushed() const {
 }
 
 void FakePolhem::unplug() {
-    if (master_ < 0) return;
-    ends_ = true;
-    thread_.join();
-    close(std::exchange(master_, -1));
-    std::filesystem::remove(port_);
+    port_.unplug();
     const std::lock_guard lock(mutex_);
     force_ = Vec3::Zero();
     milliamperes_ = {};
 }
 
 void FakePolhem::plug() {
-    master_ = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
-    if (master_ < 0 || grantpt(master_) != 0 || unlockpt(master_) != 0) std::abort();
-    std::filesystem::create_symlink(ptsname(master_), port_);
-    ends_ = askedForPlaces_ = false;
+    askedForPlaces_ = false;
     line_.clear();
-    thread_ = std::thread([this, master = master_] { run(master); });
+    port_.plug([this] { step(); });
 }
 
-void FakePolhem::run(int master) {
-    while (!ends_) {
-        pollfd ready{.fd = master, .events = POLLIN, .revents = 0};
-        std::array<char, 256> bytes;
-        const bool any = poll(&ready, 1, 2) > 0 && (ready.revents & POLLIN);
-        const ssize_t count = any ? read(master, bytes.data(), bytes.size()) : 0;
-        for (ssize_t i = 0; i < count; ++i)
-            takeByte(bytes[std::size_t(i)], master);
-        if (firmware_ != Firmware::Of2023 && Clock::now() - understood_ > 100ms) {
-            const std::lock_guard lock(mutex_);
-            force_ = Vec3::Zero(); // nobody there
-        }
+void FakePolhem::step() {
+    for (const char byte : port_.hear(2ms))
+        takeByte(byte);
+    if (firmware_ != Firmware::Of2023 && Clock::now() - understood_ > 100ms) {
+        const std::lock_guard lock(mutex_);
+        force_ = Vec3::Zero(); // nobody there
     }
 }
 
-void FakePolhem::takeByte(char byte, int master) {
+void FakePolhem::takeByte(char byte) {
     if (firmware_ == Firmware::Of2023) {
         if (byte == '[') line_.clear();
         line_ += byte;
@@ -181,7 +160,7 @@ void FakePolhem::takeByte(char byte, int master) {
         takeLine();
     }
     line_.clear();
-    answer(master);
+    answer();
 }
 
 /// Seven numbers, as sscanf() finds them: up to the first zero byte.
@@ -245,7 +224,7 @@ std::string FakePolhem::countAnswer() const {
     return text.data();
 }
 
-void FakePolhem::answer(int master) {
+void FakePolhem::answer() {
     if (mute) return;
     std::string text;
     {
@@ -255,8 +234,7 @@ void FakePolhem::answer(int master) {
     const std::size_t piece = inPieces ? text.size() / 3 + 1 : text.size();
     for (std::size_t at = 0; at < text.size(); at += piece) {
         if (at > 0) std::this_thread::sleep_for(2ms);
-        const std::string_view part = std::string_view(text).substr(at, piece);
-        if (write(master, part.data(), part.size()) < 0) std::abort();
+        port_.say(std::string_view(text).substr(at, piece));
     }
 }
 

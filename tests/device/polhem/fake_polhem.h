@@ -17,14 +17,11 @@
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <filesystem>
 #include <mutex>
 #include <string>
-#include <thread>
-
-#include <QTemporaryDir>
 
 #include "core/base/vec.h"
+#include "tests/device/serial/board_port.h"
 
 namespace tactum::test {
 
@@ -51,7 +48,7 @@ public:
 
     void unplug();
     void plug();
-    const std::filesystem::path& port() const { return port_; }
+    const std::filesystem::path& port() const { return port_.path(); }
 
     // What boards should not do. They hold for the next answers.
     std::atomic<bool> mute{false};       ///< answers nothing
@@ -63,20 +60,16 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    void run(int master);
-    void takeByte(char byte, int master);
+    void step();
+    void takeByte(char byte);
     void takeLine();
     void takeCurrents();
-    void answer(int master);
+    void answer();
     std::string placeAnswer() const;
     std::string countAnswer() const;
 
     const Firmware firmware_;
-    QTemporaryDir folder_;
-    std::filesystem::path port_; ///< a link to the pseudo-terminal of the day
-    int master_ = -1;
-    std::thread thread_;
-    std::atomic<bool> ends_{false};
+    BoardPort port_{"TACTUM_POLHEM", "polhem"};
     std::atomic<int> complaints_{0};
     std::string line_; ///< of the thread
     bool askedForPlaces_ = false;
