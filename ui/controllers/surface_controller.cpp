@@ -4,6 +4,7 @@
 
 #include <QColorDialog>
 
+#include "ui/base/screen_colour.h"
 #include "ui/panels/inspector.h"
 #include "ui/widgets/notice_bar.h"
 #include "ui/widgets/swatch.h"

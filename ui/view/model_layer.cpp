@@ -8,6 +8,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
+#include "ui/base/screen_colour.h"
 #include "ui/view/poly_arrays.h"
 #include "ui/view/studio_light.h"
 
@@ -64,11 +65,6 @@ Bounds boxOf(const TriangleSoup& soup) {
 /// chalk.
 float glossOf(const Material& material) {
     return float(std::exp(-2.5 * std::max(0.0, material.staticFriction)));
-}
-
-/// A colour as it is on the screen as linear light.
-Eigen::Vector3f linearColour(const QColor& colour) {
-    return {std::pow(colour.redF(), 2.2f), std::pow(colour.greenF(), 2.2f), std::pow(colour.blueF(), 2.2f)};
 }
 
 } // namespace

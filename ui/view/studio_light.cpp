@@ -1,13 +1,13 @@
 #include "ui/view/studio_light.h"
 
-#include <array>
-#include <cmath>
 #include <sstream>
 #include <string>
 
 #include <vtkActor.h>
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
+
+#include "ui/base/screen_colour.h"
 
 namespace tactum {
 
@@ -124,10 +124,8 @@ void useNoLight(vtkActor& actor) {
 }
 
 void setScreenColour(vtkActor& actor, const QColor& colour) {
-    std::array<double, 3> linear{colour.redF(), colour.greenF(), colour.blueF()};
-    for (double& c : linear)
-        c = std::pow(c, 2.2);
-    actor.GetProperty()->SetDiffuseColor(linear.data());
+    const Vec3 linear = linearColour(colour).cast<double>();
+    actor.GetProperty()->SetDiffuseColor(linear.x(), linear.y(), linear.z());
 }
 
 } // namespace tactum

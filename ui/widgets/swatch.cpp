@@ -1,22 +1,11 @@
 #include "ui/widgets/swatch.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <QGuiApplication>
 #include <QPainter>
 
+#include "ui/base/screen_colour.h"
+
 namespace tactum {
-
-QColor screenColour(const Eigen::Vector3f& linear) {
-    const auto shown = [](float c) { return std::pow(std::clamp(c, 0.f, 1.f), 1 / 2.2f); };
-    return QColor::fromRgbF(shown(linear.x()), shown(linear.y()), shown(linear.z()));
-}
-
-Eigen::Vector3f linearColour(const QColor& screen) {
-    const auto linear = [](double c) { return float(std::pow(c, 2.2)); };
-    return {linear(screen.redF()), linear(screen.greenF()), linear(screen.blueF())};
-}
 
 QPixmap swatch(const Eigen::Vector3f& linear) {
     const qreal ratio = qApp->devicePixelRatio();

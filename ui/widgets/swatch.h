@@ -8,10 +8,6 @@
 
 namespace tactum {
 
-/// As a screen shows a colour that is linear RGB, 0 to 1, as scenes store it; and back.
-QColor screenColour(const Eigen::Vector3f& linear);
-Eigen::Vector3f linearColour(const QColor& screen);
-
 /// The colour as a small square. `linear`: RGB as scenes store it, 0 to 1.
 QPixmap swatch(const Eigen::Vector3f& linear);
 /// The same for a row of a list, in the same colour while the row is selected.
