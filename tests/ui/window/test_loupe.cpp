@@ -32,7 +32,22 @@ struct Opened {
     void touch(QPoint at) {
         program.press(at);
         if (!test::waitFor([&] { return program.touch().contacts > 0 && isSeen(); }))
-            qFatal("there is no loupe");
+            qFatal("there is no loupe: %s", qPrintable(state()));
+    }
+    /// What a loupe waits for, in words.
+    QString state() {
+        const auto seen = program.window->view().camera().project(program.finger());
+        const QPointF finger = seen.value_or(QPointF(-1, -1));
+        return QStringLiteral("%1 contacts, the finger at %2, %3 of %4 x %5; the loupe is %6; said: %7")
+            .arg(program.touch().contacts)
+            .arg(finger.x())
+            .arg(finger.y())
+            .arg(program.window->view().width())
+            .arg(program.window->view().height())
+            .arg(!loupe()               ? "not there"
+                 : loupe()->isVisible() ? "seen"
+                                        : "hidden")
+            .arg(program.window->findChild<NoticeBar*>()->text());
     }
     void wheel(int notches) {
         for (int i = 0; i < std::abs(notches); ++i) {
@@ -45,7 +60,7 @@ struct Opened {
     QString line() { return loupe()->accessibleDescription(); }
 
     QTemporaryDir folder;
-    TouchedWindow program;
+    TouchedWindow program{QSize(1200, 960)}; // so high that a notice of several lines leaves room for two
 };
 
 } // namespace

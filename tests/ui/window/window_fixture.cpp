@@ -65,6 +65,32 @@ std::unique_ptr<HapticDevice> deviceOf(const std::shared_ptr<HandTarget>& hand,
 
 } // namespace
 
+/// Gives it back to the window when nobody has it, at the latest when the next key comes: what the display
+/// server says of a dialog that went may come later than that.
+class TouchedWindow::Keyboard : public QObject {
+public:
+    explicit Keyboard(QWidget& window) : window_(window) {
+        connect(qApp, &QGuiApplication::focusWindowChanged, this, [this](const QWindow* now) {
+            if (!now) take();
+        });
+        qApp->installEventFilter(this);
+    }
+
+    /// As far as Qt knows: at once, whatever the display server says about it later.
+    void take() {
+        if (window_.isVisible()) QApplication::setActiveWindow(&window_);
+    }
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        const QWidget* holds = QApplication::activeWindow();
+        if (event->type() == QEvent::ShortcutOverride && (!holds || !holds->isVisible())) take();
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    QWidget& window_;
+};
+
 TouchedWindow::TouchedWindow(QSize size, const QStringList& samples, const Around& around)
     : hand(std::make_shared<HandTarget>()), engine(deviceOf(hand, around)) {
     std::setlocale(LC_NUMERIC, "C");
@@ -78,23 +104,16 @@ TouchedWindow::TouchedWindow(QSize size, const QStringList& samples, const Aroun
     if (!QTest::qWaitForWindowExposed(window.get(), kPatience)) qFatal("the window does not appear");
     // Without a window manager nobody else gives it the keyboard.
     window->activateWindow();
-    keyboard_ = QObject::connect(qApp, &QGuiApplication::focusWindowChanged, [this](const QWindow* now) {
-        if (!now) takeKeyboard();
-    });
-    takeKeyboard();
+    keyboard_ = std::make_unique<Keyboard>(*window);
+    keyboard_->take();
     if (!window->isActiveWindow()) qFatal("the window does not get the keyboard");
 }
 
 TouchedWindow::~TouchedWindow() {
-    QObject::disconnect(keyboard_);
+    keyboard_.reset();
     window->journal().discard(); // a test that edits leaves nothing for the next one to recover
     window.reset();
     engine.stop();
-}
-
-/// As far as Qt knows: at once, whatever the display server says about it later.
-void TouchedWindow::takeKeyboard() {
-    if (window && window->isVisible()) QApplication::setActiveWindow(window.get());
 }
 
 bool TouchedWindow::fullForce() {

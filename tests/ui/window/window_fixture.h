@@ -86,9 +86,9 @@ public:
     std::unique_ptr<MainWindow> window;
 
 private:
-    void takeKeyboard();
+    class Keyboard;
 
-    QMetaObject::Connection keyboard_;
+    std::unique_ptr<Keyboard> keyboard_;
 };
 
 } // namespace tactum
