@@ -283,7 +283,7 @@ void LayerPanel::drawProfile() {
     const TextureLayer* now = layer();
     if (!now || !world_) return;
     if (stroke_.points().empty())
-        return chart_->setHint(
+        return chart_->displayNone(
             tr("Stroke the model with the finger (W, then drag): what the layers are along the "
                "way appears here."));
     if (profiling_.running()) {
@@ -298,7 +298,8 @@ void LayerPanel::drawProfile() {
             if (profile->any())
                 chart_->display(std::move(*profile));
             else
-                chart_->setHint(tr("The last stroke was not on this surface. Stroke it with the finger."));
+                chart_->displayNone(
+                    tr("The last stroke was not on this surface. Stroke it with the finger."));
         };
     });
 }

@@ -6,7 +6,6 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "ui/base/chart_axis.h"
 #include "ui/base/numbers.h"
 #include "ui/base/style.h"
 #include "ui/panels/flat_swatch.h"
@@ -19,9 +18,8 @@ constexpr double kMinHeight = 1e-6, kMinFactor = 0.01; // ends of the axis of wh
 
 } // namespace
 
-ProfileChart::ProfileChart(QWidget* parent) : QWidget(parent) {
-    setObjectName(QStringLiteral("layer-profile"));
-    setAccessibleName(tr("The layers along the last stroke"));
+ProfileChart::ProfileChart(QWidget* parent)
+    : Chart(QStringLiteral("layer-profile"), tr("The layers along the last stroke"), {2, 18, 2, 18}, parent) {
     setToolTip(tr("What the layers are along the last stroke of the finger over this surface"));
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -29,26 +27,15 @@ ProfileChart::ProfileChart(QWidget* parent) : QWidget(parent) {
 
 void ProfileChart::display(LayerProfile profile) {
     profile_ = std::move(profile);
-    hint_.clear();
-    update();
+    setHint({});
 }
 
-void ProfileChart::setHint(const QString& hint) {
+void ProfileChart::displayNone(const QString& why) {
     profile_ = {};
-    hint_ = hint;
-    update();
+    setHint(why);
 }
 
-QRectF ProfileChart::area() const {
-    return QRectF(rect()).adjusted(2, 18, -2, -18);
-}
-
-void ProfileChart::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(rect(), theme().field);
-    painter.setFont(figureFont(-1));
-    if (!profile_.any()) return drawChartHint(painter, rect(), hint_);
+void ProfileChart::paintChart(QPainter& painter) const {
     double low = 1e300, high = -1e300;
     for (const double value : profile_.values) {
         if (!std::isfinite(value)) continue;

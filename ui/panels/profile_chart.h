@@ -3,39 +3,37 @@
 
 #include <optional>
 
-#include <QWidget>
-
 #include "ui/panels/layer_profile.h"
+#include "ui/widgets/chart.h"
 
 namespace tactum {
 
 /// Over the way in millimetres; the mouse reads it. Thread: ui.
-class ProfileChart : public QWidget {
+class ProfileChart : public Chart {
     Q_OBJECT
 public:
     explicit ProfileChart(QWidget* parent = nullptr);
 
     void display(LayerProfile profile);
-    /// Instead of a profile: why there is none, and how to get one.
-    void setHint(const QString& hint);
+    /// Why there is no profile, and how to get one.
+    void displayNone(const QString& why);
     const LayerProfile& profile() const { return profile_; }
-    const QString& hint() const { return hint_; }
     QSize sizeHint() const override { return {150, 130}; }
     QSize minimumSizeHint() const override { return {110, 110}; }
 
 protected:
-    void paintEvent(QPaintEvent* event) override;
+    QColor background() const override { return theme().field; }
+    bool any() const override { return profile_.any(); }
+    void paintChart(QPainter& painter) const override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
 private:
-    QRectF area() const;
     void paintAxis(QPainter& painter, double low, double high) const;
     void paintLine(QPainter& painter, double low, double high) const;
     void paintCursor(QPainter& painter) const;
 
     LayerProfile profile_;
-    QString hint_;
     std::optional<double> cursor_; ///< x of the mouse
 };
 

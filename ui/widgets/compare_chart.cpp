@@ -18,19 +18,13 @@ constexpr int kLines = 4;    // above zero, at most
 
 } // namespace
 
-CompareChart::CompareChart(QWidget* parent) : QWidget(parent) {
-    setObjectName(QStringLiteral("compare-chart"));
-    setAccessibleName(tr("Force of the stroke in both states"));
-}
+CompareChart::CompareChart(QWidget* parent)
+    : Chart(QStringLiteral("compare-chart"), tr("Force of the stroke in both states"), {48, 28, 12, 20},
+            parent) {}
 
 void CompareChart::show(std::shared_ptr<const TouchTrace> a, std::shared_ptr<const TouchTrace> b) {
     a_ = std::move(a);
     b_ = std::move(b);
-    update();
-}
-
-void CompareChart::setHint(const QString& hint) {
-    hint_ = hint;
     update();
 }
 
@@ -50,17 +44,7 @@ std::vector<double> CompareChart::columnsOf(const TouchTrace& rows, int count) c
     return largest;
 }
 
-QRectF CompareChart::area() const {
-    return QRectF(rect()).adjusted(48, 28, -12, -20);
-}
-
-void CompareChart::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(rect(), theme().panel);
-    if (!a_ || !b_ || a_->size() < 2 || b_->size() < 2) {
-        return drawChartHint(painter, rect(), hint_);
-    }
+void CompareChart::paintChart(QPainter& painter) const {
     const QRectF place = area();
     const int count = std::clamp(int(place.width()), 2, 4000);
     const std::vector<double> a = columnsOf(*a_, count), b = columnsOf(*b_, count);
@@ -93,7 +77,6 @@ void CompareChart::paintEvent(QPaintEvent*) {
 
 void CompareChart::paintAxes(QPainter& painter, double top, double step, double seconds) const {
     const QRectF place = area();
-    painter.setFont(figureFont(-1));
     for (int i = 0; i * step <= top * (1 + 1e-9); ++i)
         drawGridLine(painter, place, place.bottom() - place.height() * i * step / top,
                      i == 0 ? tr("0 N") : tickText(i * step, step));

@@ -34,9 +34,9 @@ QString percent(double share) {
 
 } // namespace
 
-PeriodChart::PeriodChart(QWidget* parent) : QWidget(parent) {
-    setObjectName(QStringLiteral("health-periods"));
-    setAccessibleName(tr("Deviations of the servo's period"));
+PeriodChart::PeriodChart(QWidget* parent)
+    : Chart(QStringLiteral("health-periods"), tr("Deviations of the servo's period"), {40, 7, 4, 16},
+            parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
@@ -59,17 +59,12 @@ QString PeriodChart::figuresOf(std::size_t bin) const {
     return tr("%1: %n tick(s), %2", nullptr, int(periods_.count[bin])).arg(range, percent(share(bin)));
 }
 
-QRectF PeriodChart::area() const {
-    return QRectF(rect()).adjusted(40, 7, -4, -16);
-}
-
 double PeriodChart::edge(std::size_t bin) const {
     return area().left() + area().width() * double(bin) / double(kBins);
 }
 
-void PeriodChart::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    painter.setFont(figureFont(-1));
+void PeriodChart::paintChart(QPainter& painter) const {
+    painter.setRenderHint(QPainter::Antialiasing, false); // bars end between pixels
     paintGrid(painter);
     paintBars(painter);
     paintPeriod(painter);

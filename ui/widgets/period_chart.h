@@ -1,15 +1,14 @@
 // How regular the servo's ticks are, as bars over the deviation of their period.
 #pragma once
 
-#include <QWidget>
-
 #include "core/runtime/period_histogram.h"
+#include "ui/widgets/chart.h"
 
 namespace tactum {
 
 /// Both axes are logarithmic: one tick in ten thousand can be seen beside all the others. What came more than
 /// a period late is red, and right of a dashed line. Hover tells the figures of a bar.
-class PeriodChart : public QWidget {
+class PeriodChart : public Chart {
     Q_OBJECT
 public:
     explicit PeriodChart(QWidget* parent = nullptr);
@@ -22,11 +21,11 @@ public:
     QSize minimumSizeHint() const override { return {140, 72}; }
 
 protected:
-    void paintEvent(QPaintEvent* event) override;
+    QColor background() const override { return Qt::transparent; }
+    void paintChart(QPainter& painter) const override;
     bool event(QEvent* event) override; ///< the tooltip of the bar under the cursor
 
 private:
-    QRectF area() const;
     double edge(std::size_t bin) const; ///< x of its left edge
     double share(std::size_t bin) const;
     void paintGrid(QPainter& painter) const;

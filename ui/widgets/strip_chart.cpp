@@ -258,9 +258,9 @@ void paintStrip(QPainter& painter, const QRectF& box, const StripKind& kind, con
 }
 
 StripChart::StripChart(StripKind kind, const TouchHistory& history, QWidget* parent)
-    : QWidget(parent), kind_(std::move(kind)), history_(history) {
-    setObjectName(QStringLiteral("strip-") + QString::fromLatin1(kind_.id));
-    setAccessibleName(tr("%1 over time").arg(kind_.title));
+    : Chart(QStringLiteral("strip-") + QString::fromLatin1(kind.id), tr("%1 over time").arg(kind.title), {},
+            parent),
+      kind_(std::move(kind)), history_(history) {
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
@@ -271,9 +271,7 @@ void StripChart::show(const StripTime& time, double limit) {
     update();
 }
 
-void StripChart::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    painter.setFont(figureFont(-1));
+void StripChart::paintChart(QPainter& painter) const {
     paintStrip(painter, rect(), kind_, history_, time_, limit_);
 }
 

@@ -4,9 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include <QWidget>
-
 #include "ui/base/theme.h"
+#include "ui/widgets/chart.h"
 #include "ui/widgets/touch_history.h"
 
 namespace tactum {
@@ -63,7 +62,7 @@ int stripLines(const QRectF& area);
 QRectF stripArea(const QRectF& box, const StripTime& time);
 
 /// Thread: ui.
-class StripChart : public QWidget {
+class StripChart : public Chart {
     Q_OBJECT
 public:
     StripChart(StripKind kind, const TouchHistory& history, QWidget* parent = nullptr);
@@ -80,7 +79,8 @@ signals:
     void zoomed(double factor);
 
 protected:
-    void paintEvent(QPaintEvent* event) override;
+    QColor background() const override { return Qt::transparent; } // that of a strip, for files as well
+    void paintChart(QPainter& painter) const override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;

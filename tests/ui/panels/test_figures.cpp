@@ -184,7 +184,7 @@ private slots:
     void aProfileAlongAStroke() {
         ProfileChart chart;
         chart.resize(104, 136); // an area of 100 by 100
-        chart.setHint(QStringLiteral("stroke it"));
+        chart.displayNone(QStringLiteral("stroke it"));
         COMPARE_SHOWN(shownIn(chart) + drawnBy(chart), "profile-hint");
         const double none = std::numeric_limits<double>::quiet_NaN();
         chart.display({TextureTarget::Height, 0.04, {0, 1e-4, none, 2e-4, 5e-5, none, 1e-4}});
@@ -200,7 +200,7 @@ private slots:
         COMPARE_SHOWN(drawnBy(chart), "profile-flat");
         chart.display({TextureTarget::Height, 0.5, {1e-6, 1e-6}});
         COMPARE_SHOWN(drawnBy(chart), "profile-flat-height");
-        chart.setHint(QStringLiteral("stroke it"));
+        chart.displayNone(QStringLiteral("stroke it"));
         QVERIFY(!chart.profile().any());
     }
 
