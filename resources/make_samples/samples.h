@@ -18,7 +18,7 @@ Scene teapot();          ///< several surfaces, felt round instead of faceted (s
 Scene frictionLadder();  ///< six plates, static and dynamic friction from nothing to 1
 Scene viscosityLadder(); ///< six plates, b of equation (21) from 0 to 20 N s/m
 Scene stiffnessLadder(); ///< six plates, 50 to 1600 N/m
-Scene textureWall();     ///< brick, corduroy, sandpaper and tiles: haptic texture from pictures and formulas
+Scene textureWall();     ///< brick, tiles, weave and sandpaper: haptic texture from pictures and formulas
 Scene layeredLeather();  ///< layers, blends and a mask: grain, stitches, a worn place
 Scene reliefCoin();      ///< one picture of 16 bits over a whole face
 Scene thinWallMaze();    ///< walls thinner than the proxy, which must not go through them

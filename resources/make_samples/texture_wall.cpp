@@ -27,7 +27,7 @@ constexpr double kBrickEdge = 0.0024, kTileEdge = 0.002; // m, from the lowest t
 // m. Whole repeats fill a panel. The low part, mortar or grout, lies around each repeat's corner.
 constexpr double kBrick = 0.02, kCourse = 0.008, kMortar = 0.0016;
 constexpr double kTile = 0.016, kGrout = 0.002;
-constexpr double kCord = 0.004;
+constexpr double kThread = 0.008;
 
 /// How far `x` is from the nearest multiple of `period`.
 double fromLine(double x, double period) {
@@ -79,11 +79,8 @@ TextureLayer tiles() {
     return made;
 }
 
-TextureLayer cords() {
-    TextureLayer made = layer("cords", TextureSource::Grooves, kCord, 0.15e-3);
-    made.pattern.fill = 0.6;
-    made.pattern.softness = 1;
-    return made;
+TextureLayer threads() {
+    return layer("threads", TextureSource::Weave, kThread, 0.2e-3);
 }
 
 TextureLayer grit() {
@@ -92,13 +89,13 @@ TextureLayer grit() {
     return made;
 }
 
-/// Two surfaces with one texture: what is high and what is low differ in colour and friction.
+/// One texture; what is high and what is low may be two surfaces, of other colours and friction.
 struct Panel {
     std::string name;
     TextureLayer layer;
     std::vector<double> xs, ys; ///< m: lines between cells
-    Mesh::SurfaceAt surfaceAt;  ///< 0 or 1
-    std::array<Surface, 2> surfaces;
+    Mesh::SurfaceAt surfaceAt;
+    std::vector<Surface> surfaces;
 };
 
 /// From 0 to `end`, a line on both sides of each multiple of `period`.
@@ -131,33 +128,24 @@ Panel tilePanel() {
              surface("grout", {0.70f, 0.70f, 0.66f}, {.staticFriction = 0.35, .dynamicFriction = 0.3})}};
 }
 
-Panel corduroyPanel() {
-    return {"corduroy",
-            cords(),
-            linesAround(kCord, 0.3 * kCord, kPanelWidth),
-            {0, kPanelHeight},
-            [](double x, double) { return Index(fromLine(x, kCord) > 0.3 * kCord); },
-            {surface("cord", {0.20f, 0.22f, 0.10f},
-                     {.stiffness = 500, .staticFriction = 0.4, .dynamicFriction = 0.35}),
-             surface("valley", {0.09f, 0.10f, 0.04f},
-                     {.stiffness = 500, .staticFriction = 0.4, .dynamicFriction = 0.35})}};
+Panel plainPanel(const char* name, TextureLayer layer, const Eigen::Vector3f& colour,
+                 const Material& material) {
+    return {name,
+            std::move(layer),
+            evenly(0, kPanelWidth, 4),
+            evenly(0, kPanelHeight, 4),
+            [](double, double) { return Index(0); },
+            {surface(name, colour, material)}};
 }
 
-/// Some grains shine.
+Panel weavePanel() {
+    return plainPanel("weave", threads(), {0.06f, 0.1f, 0.24f},
+                      {.stiffness = 500, .staticFriction = 0.4, .dynamicFriction = 0.35});
+}
+
 Panel sandpaperPanel() {
-    const auto shines = [](double x, double y) {
-        const auto cell = std::uint32_t(x / 2e-3) * 374761393U + std::uint32_t(y / 2e-3) * 668265263U;
-        const std::uint32_t mixed = (cell ^ (cell >> 13)) * 1274126177U;
-        return Index((mixed ^ (mixed >> 16)) % 3 == 0);
-    };
-    const Material rough{.staticFriction = 0.8, .dynamicFriction = 0.7};
-    return {"sandpaper",
-            grit(),
-            evenly(0, kPanelWidth, 40),
-            evenly(0, kPanelHeight, 28),
-            shines,
-            {surface("grit", {0.46f, 0.32f, 0.18f}, rough),
-             surface("shining grit", {0.56f, 0.41f, 0.25f}, rough)}};
+    return plainPanel("sandpaper", grit(), {0.46f, 0.32f, 0.18f},
+                      {.staticFriction = 0.8, .dynamicFriction = 0.7});
 }
 
 /// The edge of a panel, counter-clockwise seen from behind.
@@ -181,12 +169,13 @@ SceneObject objectOf(const Panel& panel, const Eigen::Vector2d& place) {
     const auto uvAt = [](double x, double y) { return Uv(float(x / kUvLength), float(y / kUvLength)); };
     mesh.grid(
         panel.xs, panel.ys, [](double x, double y) { return Vec3(x, y, 0); }, panel.surfaceAt, uvAt);
-    mesh.fan({kPanelWidth / 2, kPanelHeight / 2, -0.9 * kBefore}, outlineOf(panel), 2);
-    SceneObject made =
-        object(panel.name, mesh,
-               {panel.surfaces[0], panel.surfaces[1],
-                surface((panel.name + " back").c_str(), {0.30f, 0.30f, 0.28f}, panel.surfaces[0].material)});
-    for (std::size_t i = 0; i < 2; ++i)
+    const std::size_t textured = panel.surfaces.size();
+    mesh.fan({kPanelWidth / 2, kPanelHeight / 2, -0.9 * kBefore}, outlineOf(panel), Index(textured));
+    std::vector<Surface> surfaces = panel.surfaces;
+    surfaces.push_back(
+        surface((panel.name + " back").c_str(), {0.30f, 0.30f, 0.28f}, panel.surfaces[0].material));
+    SceneObject made = object(panel.name, mesh, std::move(surfaces));
+    for (std::size_t i = 0; i < textured; ++i)
         made.surfaces[i].layers = {panel.layer};
     made.pose.rotation = Quat(Eigen::AngleAxisd(-kLean, Vec3::UnitX()));
     made.pose.translation = made.pose.rotate({place.x(), place.y(), kBefore});
@@ -215,7 +204,7 @@ SceneObject wall() {
         {surface("plaster", {0.50f, 0.50f, 0.48f}, {.staticFriction = 0.4, .dynamicFriction = 0.35})});
 }
 
-/// Over brick and tiles, then over sandpaper and corduroy; 1.5 mm deep.
+/// Over brick and tiles, then over sandpaper and weave; 1.5 mm deep.
 std::shared_ptr<const std::vector<FingerPoint>> acrossThePanels() {
     const double left = -kPanelWidth / 2, right = -left, in = 1.5e-3;
     const double high = 1.5 * kPanelHeight + kApart, low = 0.5 * kPanelHeight;
@@ -253,7 +242,7 @@ Scene textureWall() {
     Scene scene;
     scene.add(objectOf(brickPanel(), {left, high}));
     scene.add(objectOf(tilePanel(), {right, high}));
-    scene.add(objectOf(corduroyPanel(), {left, 0}));
+    scene.add(objectOf(weavePanel(), {left, 0}));
     scene.add(objectOf(sandpaperPanel(), {right, 0}));
     scene.add(wall());
     scene.finger = acrossThePanels();

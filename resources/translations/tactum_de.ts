@@ -2024,8 +2024,8 @@
             <translation>Ziegel</translation>
         </message>
         <message>
-            <source>Brick, tiles, corduroy and sandpaper, from pictures and formulas</source>
-            <translation>Ziegel, Fliesen, Cord und Schleifpapier, aus Bildern und Formeln</translation>
+            <source>Brick, tiles, weave and sandpaper, from pictures and formulas</source>
+            <translation>Ziegel, Fliesen, Gewebe und Schleifpapier, aus Bildern und Formeln</translation>
         </message>
         <message>
             <source>Bring %1 back</source>

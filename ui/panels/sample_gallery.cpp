@@ -27,7 +27,7 @@ constexpr Lesson kLessons[] = {
     {"relief-coin", QT_TR_NOOP("A flat face that feels like a relief, from one picture")},
     {"stiffness-ladder", QT_TR_NOOP("Six plates from soft to hard, up to what the device can give")},
     {"teapot", QT_TR_NOOP("Glaze and cork, and facets that feel round")},
-    {"texture-wall", QT_TR_NOOP("Brick, tiles, corduroy and sandpaper, from pictures and formulas")},
+    {"texture-wall", QT_TR_NOOP("Brick, tiles, weave and sandpaper, from pictures and formulas")},
     {"thin-wall-maze", QT_TR_NOOP("Walls thinner than the proxy: around them, never through")},
     {"viscosity-ladder", QT_TR_NOOP("Six plates like honey: the faster, the harder to slide")},
     {"ball-table", QT_TR_NOOP("Loose balls: push one, and it meets the others")},
