@@ -9,6 +9,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTest>
 #include <sys/resource.h>
@@ -123,6 +124,39 @@ private slots:
         const QByteArray words = reader.readAllStandardOutput();
         for (const char* part : {"plate.obj", "2023-11-14 22:13 UTC", "Surfaces", "Forces of a stroke"})
             COMPARE_CONTAINS(words, part);
+    }
+
+    /// The words of the pages by another reader; the headings by the page of the web. Beneath some is a
+    /// picture, in which nobody reads.
+    void noHeadingEndsAPageOfPaper() {
+        for (const char* name : {"teapot", "layered-leather", "texture-wall", "moving/crank"}) {
+            const QString scene =
+                QStringLiteral(TACTUM_ROOT "/resources/scenes/") + QLatin1String(name) + ".glb";
+            QCOMPARE(runTactum({"report", scene, "-o", file("p.html")}).code, 0);
+            QCOMPARE(runTactum({"report", scene, "-o", file("p.pdf")}).code, 0);
+            QProcess reader;
+            reader.start("pdftotext", {"-layout", file("p.pdf"), "-"});
+            if (!reader.waitForStarted())
+                QSKIP("pdftotext is not installed: nobody else reads the PDF; apt install poppler-utils");
+            QVERIFY2(reader.waitForFinished(), "pdftotext ends");
+            QFile html(file("p.html"));
+            QVERIFY2(html.open(QIODevice::ReadOnly), qPrintable(html.errorString()));
+            const QString text = QString::fromUtf8(html.readAll());
+            QStringList headings;
+            for (auto i =
+                     QRegularExpression("<h[1-6][^>]*>([^<]+)</h[1-6]>\\s*+(?!<p><img)").globalMatch(text);
+                 i.hasNext();)
+                headings << i.next().captured(1).trimmed();
+            QCOMPARE_GT(headings.size(), 3);
+            QStringList pages = QString::fromUtf8(reader.readAllStandardOutput()).split(u'\f');
+            QCOMPARE_GT(pages.size(), 1);
+            pages.removeLast(); // what the last page ends is the file
+            for (const QString& page : pages) {
+                QStringList lines = page.split(u'\n', Qt::SkipEmptyParts);
+                if (lines.size() > 1) lines.removeLast(); // the page's number
+                QVERIFY2(!headings.contains(lines.back().trimmed()), qPrintable(page));
+            }
+        }
     }
 
     /// A file manager's picture: square, of the size asked for, with the model in the middle of it.

@@ -66,6 +66,7 @@ QWidget* RecoveryBar::makeLine(std::size_t index) {
                                     : sentenceOf(scene));
     text->setObjectName(QStringLiteral("recovery-text-%1").arg(index));
     text->setTextFormat(Qt::PlainText);
+    text->setWordWrap(true);
     text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // the name of a file is one long word
     text->setToolTip(QString::fromStdU16String(scene.entry.file.u16string()));
     row->addWidget(sign);

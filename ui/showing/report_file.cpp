@@ -1,11 +1,18 @@
 #include "ui/showing/report_file.h"
 
+#include <vector>
+
+#include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QImage>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSvgRenderer>
+#include <QTextBlock>
+#include <QTextCursor>
 #include <QTextDocument>
+#include <QTextFrame>
+#include <QTextLayout>
 #include <QUrl>
 
 #include "core/base/atomic_file.h"
@@ -33,6 +40,53 @@ protected:
     }
 };
 
+/// As QTextDocument::print() lays out a page: with margins of two centimetres, which are said in dots of the
+/// screen and scaled to those of the paper.
+void layOut(QTextDocument& document, QPagedPaintDevice& paper) {
+    constexpr double kInches = 2 / 2.54;
+    const QImage screen(1, 1, QImage::Format_RGB32);
+    const int across = int(kInches * screen.logicalDpiX()), along = int(kInches * screen.logicalDpiY());
+    document.documentLayout()->setPaintDevice(&paper);
+    QTextFrameFormat frame = document.rootFrame()->frameFormat();
+    frame.setLeftMargin(across);
+    frame.setRightMargin(across);
+    frame.setTopMargin(along);
+    frame.setBottomMargin(along);
+    document.rootFrame()->setFrameFormat(frame);
+    document.setPageSize(QSizeF(paper.width(), paper.height()));
+}
+
+/// Of its first line: the cell of a table may begin at the foot of a page and its words on the next one.
+int pageOf(const QTextDocument& document, const QTextBlock& block) {
+    const QRectF box = document.documentLayout()->blockBoundingRect(block);
+    const double line = block.layout()->lineCount() > 0 ? block.layout()->lineAt(0).y() : 0;
+    return int((box.top() + line) / document.pageSize().height());
+}
+
+void beginPage(QTextDocument& document, int block) {
+    QTextCursor cursor(document.findBlockByNumber(block));
+    QTextBlockFormat format = cursor.blockFormat();
+    format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+    cursor.setBlockFormat(format);
+}
+
+/// The headings, by the numbers of their blocks, that begin a page because what they are over is on the next
+/// one. Where several follow each other the first of them does. `trial`: a copy that is laid out for it.
+std::vector<int> headingsOnNewPages(QTextDocument& trial, QPagedPaintDevice& paper) {
+    layOut(trial, paper);
+    std::vector<int> begin;
+    for (QTextBlock block = trial.begin(); block.isValid(); block = block.next()) {
+        if (block.blockFormat().headingLevel() == 0) continue;
+        QTextBlock below = block.next();
+        while (below.isValid() && (below.blockFormat().headingLevel() > 0 || below.length() <= 1))
+            below = below.next(); // and what is empty
+        if (!below.isValid() || pageOf(trial, below) == pageOf(trial, block)) continue;
+        begin.push_back(block.blockNumber());
+        beginPage(trial, begin.back());
+    }
+    return begin;
+}
+
 QByteArray pdfOf(const QString& html, const ReportSubject& subject) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -41,8 +95,11 @@ QByteArray pdfOf(const QString& html, const ReportSubject& subject) {
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setTitle(QString::fromStdString(subject.name));
     writer.setCreator(QStringLiteral("Tactum ") + QString::fromStdString(subject.version));
-    ReportDocument document;
+    ReportDocument document, trial;
     document.setHtml(html);
+    trial.setHtml(html);
+    for (const int heading : headingsOnNewPages(trial, writer))
+        beginPage(document, heading);
     document.print(&writer);
     return bytes;
 }
