@@ -20,36 +20,6 @@ constexpr std::array<double, 6> kRadii{1, 2, 4, 8, 16, 32};
 using Picture = std::vector<float>;
 constexpr float kNothing = 1e9F; ///< the height where nothing is above the ground
 
-template <class Visit>
-bool forEachTriangle(std::span<const ShadowCaster> casters, const Progress& progress, Visit visit) {
-    for (const ShadowCaster& caster : casters) {
-        const TriangleSoup& soup = *caster.soup;
-        ProgressMeter meter(progress, soup.triangles.size());
-        for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
-            if (!meter.goesOn(i)) return false;
-            if (!caster.seen[soup.surfaceOf[i]]) continue;
-            std::array<Vec3, 3> corners;
-            for (std::size_t k = 0; k < 3; ++k)
-                corners[k] = caster.X_WB.apply(soup.positions[soup.triangles[i][k]]);
-            visit(corners, caster.section);
-        }
-    }
-    return !progress.isCancelled();
-}
-
-/// What a section leaves of a triangle: none, three or four corners, in their order.
-std::vector<Vec3> keptOf(const std::array<Vec3, 3>& corners, const std::optional<SectionPlane>& section) {
-    if (!section) return {corners.begin(), corners.end()};
-    std::vector<Vec3> kept;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 &a = corners[i], &b = corners[(i + 1) % 3];
-        const double heightA = section->height(a), heightB = section->height(b);
-        if (heightA <= 0) kept.push_back(a);
-        if ((heightA <= 0) != (heightB <= 0)) kept.push_back(a + heightA / (heightA - heightB) * (b - a));
-    }
-    return kept;
-}
-
 /// The height over the ground of the lowest triangle at each texel, m.
 class LowestPicture {
 public:

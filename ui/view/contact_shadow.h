@@ -2,28 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "core/base/progress.h"
-#include "core/base/vec.h"
-#include "core/geometry/triangle_soup.h"
-#include "ui/view/section_plane.h"
+#include "ui/view/shadow_caster.h"
 
 namespace tactum {
-
-/// What casts a shadow: the surfaces of a body that are seen, where it is.
-struct ShadowCaster {
-    std::shared_ptr<const TriangleSoup> soup;
-    std::vector<bool> seen; ///< of each surface
-    Pose X_WB;
-    bool moves = false;                       ///< by itself or by forces
-    std::optional<SectionPlane> section = {}; ///< what it cuts away casts none
-
-    bool operator==(const ShadowCaster&) const = default;
-};
 
 /// A square of the world's ground plane, which is horizontal.
 struct GroundShadow {

@@ -49,6 +49,11 @@ void GlWindow::PopContext() {
     if (context && context != QOpenGLContext::currentContext()) context->makeCurrent(surface);
 }
 
+void GlWindow::ReleaseGraphicsResources(vtkWindow* window) {
+    occlusion_.release(*this);
+    Superclass::ReleaseGraphicsResources(window);
+}
+
 void GlWindow::renderFrame() {
     drawAside([this] { Render(); });
 }

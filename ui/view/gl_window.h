@@ -7,6 +7,8 @@
 
 #include <vtkGenericOpenGLRenderWindow.h>
 
+#include "ui/view/occlusion_texture.h"
+
 class QOpenGLContext;
 class QSurface;
 
@@ -34,10 +36,13 @@ public:
     void OpenGLInitContext() override;
     void PushContext() override;
     void PopContext() override;
+    void ReleaseGraphicsResources(vtkWindow* window) override;
 
     void setCoarse(Coarse coarse) { coarse_ = coarse; }
     Coarse coarse() const { return coarse_; }
     bool drawsCoarse() const { return coarse_ != Coarse::None; }
+    /// What takes light away from what a ModelMapper draws here.
+    OcclusionTexture& occlusion() { return occlusion_; }
     /// Renders one frame into the framebuffer that is bound now, and leaves Qt's view of the state intact.
     void renderFrame();
     /// The same for what `draw` renders, in the size that it says itself.
@@ -50,6 +55,7 @@ private:
     std::function<bool()> isCurrent_;
     std::vector<std::pair<QOpenGLContext*, QSurface*>> stack_;
     Coarse coarse_ = Coarse::None;
+    OcclusionTexture occlusion_;
 };
 
 } // namespace tactum

@@ -32,19 +32,36 @@ void ModelMapper::setCoarse(vtkPolyData* mesh) {
 }
 
 void ModelMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor) {
-    const auto* window = GlWindow::SafeDownCast(renderer->GetRenderWindow());
-    if (!coarse_ || !window || window->coarse() != Coarse::Meshes)
-        return Superclass::RenderPiece(renderer, actor);
-    coarse_->SetClippingPlanes(GetClippingPlanes());
-    coarse_->RenderPiece(renderer, actor);
+    auto* window = GlWindow::SafeDownCast(renderer->GetRenderWindow());
+    if (!window) return Superclass::RenderPiece(renderer, actor);
+    if (coarse_ && window->coarse() == Coarse::Meshes) {
+        coarse_->SetClippingPlanes(GetClippingPlanes());
+        return coarse_->RenderPiece(renderer, actor);
+    }
+    window->occlusion().activate(*window);
+    Superclass::RenderPiece(renderer, actor);
+    window->occlusion().deactivate();
 }
 
 void ModelMapper::SetPropertyShaderParameters(vtkOpenGLHelper& cells, vtkRenderer* renderer,
                                               vtkActor* actor) {
     Superclass::SetPropertyShaderParameters(cells, renderer, actor);
-    const auto* window = GlWindow::SafeDownCast(renderer->GetRenderWindow());
-    if (window && cells.Program->IsUniformUsed("feltQuick"))
+    auto* window = GlWindow::SafeDownCast(renderer->GetRenderWindow());
+    if (!window) return;
+    window->occlusion().tell(*cells.Program, *renderer->GetActiveCamera());
+    if (cells.Program->IsUniformUsed("feltQuick"))
         cells.Program->SetUniformi("feltQuick", window->drawsCoarse());
+}
+
+void ModelMapper::ReplaceShaderLight(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
+                                     vtkActor* actor) {
+    if (GlWindow::SafeDownCast(renderer->GetRenderWindow())) {
+        std::string text = shaders[vtkShader::Fragment]->GetSource();
+        vtkShaderProgram::Substitute(text, "//VTK::Light::Dec",
+                                     std::string(OcclusionTexture::kDeclared) + "//VTK::Light::Dec");
+        shaders[vtkShader::Fragment]->SetSource(text);
+    }
+    Superclass::ReplaceShaderLight(std::move(shaders), renderer, actor);
 }
 
 void ModelMapper::ReplaceShaderClip(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,

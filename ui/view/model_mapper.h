@@ -10,8 +10,8 @@ namespace tactum {
 
 /// In windows that draw coarsely (GlWindow::setCoarse()) the coarser mesh is drawn where there is one, and
 /// the shader of a relief is told by its uniform "feltQuick". All that is asked of the mapper but the picture
-/// is of the exact mesh. Where a section cuts it, the studio light shows its insides in a plain tone. Thread:
-/// ui.
+/// is of the exact mesh. Where a section cuts it, the studio light shows its insides in a plain tone, and
+/// where little light comes to (GlWindow::occlusion()) it is darker. Thread: ui.
 class ModelMapper : public vtkOpenGLPolyDataMapper {
 public:
     static ModelMapper* New();
@@ -25,6 +25,8 @@ public:
 
 protected:
     ModelMapper();
+    void ReplaceShaderLight(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
+                            vtkActor* actor) override;
     void ReplaceShaderClip(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
                            vtkActor* actor) override;
     void SetPropertyShaderParameters(vtkOpenGLHelper& cells, vtkRenderer* renderer, vtkActor* actor) override;

@@ -48,10 +48,10 @@ std::size_t trianglesOf(const Scene& scene) {
 } // namespace
 
 SceneView::Impl::Impl(SceneView& owner)
-    : view(owner), stage(owner.renderWindow()), ground(*stage.solid), model(*stage.solid),
-      boundaries(*stage.solid), faces(*stage.chosen), brushed(*stage.touch), paint(*stage.solid),
-      marks(*stage.solid, *stage.ghost), overlay(*stage.touch, *stage.ghost), felt(stage, model),
-      camera(defaultCamera()) {
+    : view(owner), stage(owner.renderWindow()), occlusion(owner.renderWindow()), ground(*stage.solid),
+      model(*stage.solid), boundaries(*stage.solid), faces(*stage.chosen), brushed(*stage.touch),
+      paint(*stage.solid), marks(*stage.solid, *stage.ghost), overlay(*stage.touch, *stage.ghost),
+      felt(stage, model), camera(defaultCamera()) {
     applyTheme();
 }
 
@@ -153,8 +153,10 @@ SceneView::SceneView(QWidget* parent) : VtkWidget(parent), impl_(std::make_uniqu
     impl_->meshTimer.setInterval(50);
     connect(&impl_->meshTimer, &QTimer::timeout, this, [this] {
         const bool model = impl_->model.takeFinished(), felt = impl_->felt.takeFinished(),
-                   ground = impl_->ground.takeFinished(), lines = impl_->boundaries.takeFinished();
-        if (model || felt || ground || lines) changed();
+                   ground = impl_->ground.takeFinished(), lines = impl_->boundaries.takeFinished(),
+                   occlusion = impl_->occlusion.takeFinished();
+        if (occlusion) impl_->stage.forgetPicture();
+        if (model || felt || ground || lines || occlusion) changed();
         if (!makesMeshes() && !makesFelt()) impl_->meshTimer.stop();
     });
     impl_->shadowTimer.setSingleShot(true);

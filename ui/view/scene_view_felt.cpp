@@ -54,7 +54,7 @@ void SceneView::clearTrail() {
 }
 
 bool SceneView::makesFelt() const {
-    return impl_->felt.pending() || impl_->ground.pending();
+    return impl_->felt.pending() || impl_->ground.pending() || impl_->occlusion.pending();
 }
 
 int SceneView::actorCount() const {

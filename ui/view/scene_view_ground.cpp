@@ -21,8 +21,9 @@ void SceneView::Impl::castShadows(bool rest) {
         now.push_back(caster);
         now.back().section = sectionHandles.shown();
     }
+    if (occlusion.setCasters(now)) stage.forgetPicture();
     ground.setCasters(std::move(now), rest);
-    if (ground.pending()) meshTimer.start();
+    if (ground.pending() || occlusion.pending()) meshTimer.start();
 }
 
 std::size_t SceneView::boundaryEdgesShown() const {

@@ -14,6 +14,7 @@
 #include "ui/view/lagging_cursor.h"
 #include "ui/view/mark_layer.h"
 #include "ui/view/model_layer.h"
+#include "ui/view/occlusion_layer.h"
 #include "ui/view/paint_layer.h"
 #include "ui/view/scene_picker.h"
 #include "ui/view/scene_view.h"
@@ -116,6 +117,7 @@ struct SceneView::Impl {
 
     SceneView& view;
     ViewStage stage;
+    OcclusionLayer occlusion;
     GroundLayer ground; ///< drawn before all else that one looks through
     ModelLayer model;
     BoundaryLines boundaries;

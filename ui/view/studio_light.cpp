@@ -36,12 +36,17 @@ constexpr const char* kNormal = R"(
 // until little of it is left. Above 0.8 the curve bends towards white, so that what is bright keeps its
 // colour.
 constexpr const char* kLight = R"(
+#ifdef sceneOccludes
+    float open = opennessAt(vertexVC.xyz, n);
+#else
+    const float open = 1.0;
+#endif
     const vec3 toFill = vec3(0.83, 0.12, 0.54);
     float key = max(0.0, (dot(n, toKey) + 0.15) / 1.15);
     float fill = max(0.0, (dot(n, toFill) + 0.3) / 1.3);
     float facing = clamp(dot(n, toEye), 0.0, 1.0);
-    vec3 light = mix(vec3(0.085, 0.08, 0.075), vec3(0.18, 0.2, 0.23), 0.5 + 0.5 * n.y)
-               + 0.72 * key * vec3(1.0, 0.965, 0.91) + 0.14 * fill * vec3(0.78, 0.88, 1.0);
+    vec3 light = open * mix(vec3(0.085, 0.08, 0.075), vec3(0.18, 0.2, 0.23), 0.5 + 0.5 * n.y)
+               + mix(0.25, 1.0, open) * (0.72 * key * vec3(1.0, 0.965, 0.91) + 0.14 * fill * vec3(0.78, 0.88, 1.0));
     float gloss = clamp(specularColor.x, 0.0, 1.0);
     float sharp = pow(max(0.0, dot(n, normalize(toKey + toEye))), mix(6.0, 70.0, gloss));
     vec3 mirrored = 2.0 * dot(n, toEye) * n - toEye;
@@ -54,8 +59,8 @@ constexpr const char* kLight = R"(
     float boxes = key2.x * key2.y * step(0.0, dot(mirrored, toKey)) + 0.5 * fill2.x * fill2.y * step(0.0, mirrored.x);
     float fresnel = 0.25 + 0.75 * pow(1.0 - facing, 5.0);
     float rim = pow(1.0 - facing, 4.0) * (0.55 + 0.45 * n.y);
-    vec3 linear = diffuseColor * light + vec3(mix(0.02, 0.13, gloss) * sharp + 0.45 * gloss * fresnel * boxes)
-                + mix(0.5, 1.0, gloss) * vec3(0.11, 0.12, 0.14) * rim + ambientColor;
+    vec3 linear = diffuseColor * light + open * vec3(mix(0.02, 0.13, gloss) * sharp + 0.45 * gloss * fresnel * boxes)
+                + open * mix(0.5, 1.0, gloss) * vec3(0.11, 0.12, 0.14) * rim + ambientColor;
 #ifdef modelIsCut
     if (!gl_FrontFacing)
         linear = (0.85 + 0.15 * facing) * mix(0.4 * diffuseColor, vec3(0.36, 0.115, 0.06), 0.7) + ambientColor;

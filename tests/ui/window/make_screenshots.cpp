@@ -407,6 +407,8 @@ void takeLooks(const QDir& folder, const QString& scenes, QSize size) {
         program.document.select(std::nullopt);
         const QString stem = QFileInfo(name).completeBaseName();
         program.frames(20);
+        const SceneView& view = program.window->view();
+        if (!test::waitFor([&] { return !view.makesFelt() && !view.makesMeshes(); })) qFatal("no light");
         for (const bool dark : {false, true}) {
             program.window->view().setTheme(dark);
             save(stem + QLatin1String(dark ? "-dark.png" : "-light.png"));

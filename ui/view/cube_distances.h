@@ -1,0 +1,73 @@
+// A grid of cubes that knows how far each is from those that hold something. Private to this folder.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/base/vec.h"
+
+namespace tactum {
+
+/// In steps to any of the 26 neighbours, at most 255. Places are in cubes, from the grid's lowest corner.
+class CubeDistances {
+public:
+    explicit CubeDistances(const std::array<int, 3>& count)
+        : count_(count), cubes_(std::size_t(count[0]) * std::size_t(count[1]) * std::size_t(count[2]), 255) {}
+
+    std::size_t size() const { return cubes_.size(); }
+    bool holds(const Eigen::Vector3i& at) const {
+        return (at.array() >= 0).all() && at.x() < count_[0] && at.y() < count_[1] && at.z() < count_[2];
+    }
+    std::size_t indexOf(const Eigen::Vector3i& at) const {
+        return (std::size_t(at.z()) * std::size_t(count_[1]) + std::size_t(at.y())) * std::size_t(count_[0]) +
+               std::size_t(at.x());
+    }
+    Eigen::Vector3i cubeOf(std::size_t index) const {
+        const int i = int(index), row = i / count_[0];
+        return {i % count_[0], row % count_[1], row / count_[1]};
+    }
+    static Eigen::Vector3i cubeAt(const Vec3& p) { return p.array().floor().cast<int>(); }
+    int at(std::size_t cube) const { return cubes_[cube]; }
+
+    /// Something is there. Which cube that is; none outside of the grid.
+    std::optional<std::size_t> put(const Vec3& p) {
+        const Eigen::Vector3i at = cubeAt(p);
+        if (!holds(at)) return std::nullopt;
+        cubes_[indexOf(at)] = 0;
+        return indexOf(at);
+    }
+    /// After all was put: by the neighbours that come before each cube, there and back.
+    void spread() {
+        for (std::size_t i = 0; i < size(); ++i)
+            spreadTo(i, 0, 13);
+        for (std::size_t i = size(); i-- > 0;)
+            spreadTo(i, 14, 27);
+    }
+    template <class Visit> void forEachNeighbour(std::size_t cube, Visit visit) const {
+        forSome(cube, 0, 13, visit);
+        forSome(cube, 14, 27, visit);
+    }
+
+private:
+    /// The neighbours from `begin` to `end` of 27, of which the fourteenth is the cube itself.
+    template <class Visit> void forSome(std::size_t cube, int begin, int end, Visit visit) const {
+        const Eigen::Vector3i at = cubeOf(cube);
+        for (int i = begin; i < end; ++i) {
+            const Eigen::Vector3i near = at + Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            if (holds(near)) visit(indexOf(near));
+        }
+    }
+    void spreadTo(std::size_t cube, int begin, int end) {
+        int nearest = cubes_[cube];
+        forSome(cube, begin, end, [&](std::size_t other) { nearest = std::min(nearest, cubes_[other] + 1); });
+        cubes_[cube] = std::uint8_t(nearest);
+    }
+
+    std::array<int, 3> count_;
+    std::vector<std::uint8_t> cubes_;
+};
+
+} // namespace tactum

@@ -1,0 +1,33 @@
+// Keeps the occlusion of a scene that is shown. Private to this folder.
+#pragma once
+
+#include <vector>
+
+#include "ui/view/aside.h"
+#include "ui/view/gl_window.h"
+#include "ui/view/occlusion_bake.h"
+
+namespace tactum {
+
+/// Baked aside. Until then the one from before stays, if it is of the same shapes at other places. Thread:
+/// ui.
+class OcclusionLayer {
+public:
+    explicit OcclusionLayer(GlWindow& window) : window_(window) {}
+
+    /// What stands in the scene. What moves counts for nothing. True if the window has none any more.
+    bool setCasters(std::vector<ShadowCaster> casters);
+    bool pending() const { return work_.pending(); }
+    /// Gives what was made since to the window; true if anything was. Nothing that VTK watches changes by
+    /// either.
+    bool takeFinished();
+
+private:
+    void start();
+
+    GlWindow& window_;
+    Aside<std::optional<OcclusionVolume>> work_;
+    std::vector<ShadowCaster> wanted_, started_;
+};
+
+} // namespace tactum
