@@ -86,6 +86,7 @@ private slots:
     void theBarMovesNothing();
     void throwingAwayCanBeTakenBackUntilTheEnd();
     void severalAreOfferedAtOnce();
+    void itsSentenceIsWholeInASmallWindow();
     void aDamagedJournalIsSaidAndKept();
     void savingAndLeavingEndTheJournal();
     void anEditIsInItAfterTheTimeOrTheCount();
@@ -230,6 +231,23 @@ void TestRecovery::severalAreOfferedAtOnce() {
     QVERIFY(!bar(program).isVisible());
     QTRY_COMPARE_WITH_TIMEOUT(journals().size(), std::size_t(1), kPatience);
     QCOMPARE_EQ(readJournalEntry(journals().front())->title, "newer.glb");
+}
+
+void TestRecovery::itsSentenceIsWholeInASmallWindow() {
+    leaveJournal(someScene(), "a scene with a name of several words.glb", 1000);
+    TouchedWindow program({640, 480});
+    QTRY_VERIFY_WITH_TIMEOUT(bar(program).isVisible(), kPatience);
+    const auto* text = program.window->findChild<QLabel*>(QStringLiteral("recovery-text-0"));
+    QCOMPARE_GT(text->fontMetrics().horizontalAdvance(text->text()), text->width()); // more than a line
+    const auto needed = [&] {
+        const QRect room(0, 0, text->width(), 1000);
+        return text->fontMetrics().boundingRect(room, Qt::TextWordWrap, text->text()).height();
+    };
+    QVERIFY2(text->wordWrap(), "it goes on in a second line");
+    QTRY_VERIFY_WITH_TIMEOUT(text->height() >= needed(), kPatience);
+    QVERIFY(program.window->rect().contains(program.placeOf(bar(program))));
+    if (qEnvironmentVariableIsSet("TACTUM_PICTURE"))
+        program.window->grab().save(qEnvironmentVariable("TACTUM_PICTURE"));
 }
 
 void TestRecovery::aDamagedJournalIsSaidAndKept() {
