@@ -103,13 +103,13 @@ void TestDeviceUse::aButtonEndsAllForce() {
     QVERIFY(!desk.engine().armed());
     QCOMPARE_EQ(desk.desk->force, 0.0);
     desk.desk->buttons = 0b010;
-    desk.program.command("armed").trigger();
+    desk.program.perform("armed");
     QTRY_VERIFY_WITH_TIMEOUT(!desk.engine().armed(), kPatience);
     QCOMPARE(desk.desk->force.load(), 0.0);
     desk.desk->buttons = 0;
     desk.desk->place(0, 0, 0.08);
     desk.program.frames(10);
-    desk.program.command("armed").trigger();
+    desk.program.perform("armed");
     QVERIFY(desk.fullForce());
     // It is remembered with the device.
     QCOMPARE(rememberedSettings(kFake).stopButton, 0b010u);
@@ -137,7 +137,7 @@ void TestDeviceUse::theGripIsChosenAndRemembered() {
     QTRY_VERIFY_WITH_TIMEOUT((desk.engine().poll(), desk.engine().servo().grasped), kPatience);
     QVERIFY(rememberedSettings(kFake).grasped);
     // The simulated hand keeps none of it.
-    desk.program.command("device-disconnect").trigger();
+    desk.program.perform("device-disconnect");
     QTRY_VERIFY_WITH_TIMEOUT((desk.engine().poll(), !desk.engine().servo().grasped), kPatience);
     QVERIFY(!desk.widget("device-grip").isEnabled());
     QVERIFY(desk.connectIt());
@@ -157,7 +157,7 @@ void TestDeviceUse::theScaleIsTypedAndRemembered() {
     desk.click("workspace-bump");
     QVERIFY(desk.engine().workspace().bump);
     // The simulated hand keeps none of it.
-    desk.program.command("device-disconnect").trigger();
+    desk.program.perform("device-disconnect");
     QCOMPARE(desk.engine().workspace(), Workspace{});
     QVERIFY(!desk.widget("workspace-scale").isVisible());
     QVERIFY(desk.connectIt());
@@ -192,7 +192,7 @@ void TestDeviceUse::motionsSetTheAxes() {
     QVERIFY(desk.connectIt());
     desk.click("notice-act");
     QVERIFY(desk.engine().armed());
-    desk.program.command("workspace-axes").trigger();
+    desk.program.perform("workspace-axes");
     QVERIFY(!desk.engine().armed());
     QVERIFY(!desk.program.command("armed").isChecked()); // nothing pushes now
     QTRY_VERIFY_WITH_TIMEOUT(desk.text("workspace-task").contains(QStringLiteral("to the right")), kPatience);
@@ -209,7 +209,7 @@ void TestDeviceUse::motionsSetTheAxes() {
     QVERIFY(!desk.widget("workspace-task").isVisible());
     QCOMPARE(rememberedSettings(kFake).workspace.axes, (AxisMap{-2, 1, -3}));
     // Left in the middle, the axes stay.
-    desk.program.command("workspace-axes").trigger();
+    desk.program.perform("workspace-axes");
     desk.program.frames(10);
     desk.desk->place(0.03, 0, -0.03);
     QTRY_VERIFY_WITH_TIMEOUT(desk.text("workspace-task").contains(QStringLiteral("up")), kPatience);
@@ -244,7 +244,7 @@ void TestDeviceUse::reCentringTakesBackWhatTheClutchMoved() {
     desk.program.frames(10);
     COMPARE_NEAR(offset().x(), -0.03, 1e-9, "m");
     for (int twice = 0; twice < 2; ++twice) {
-        desk.program.command("workspace-centre").trigger();
+        desk.program.perform("workspace-centre");
         QTRY_VERIFY_WITH_TIMEOUT(offset().norm() < 1e-9, kPatience);
         desk.desk->buttons = 0b100;
         desk.program.frames(10);
@@ -254,7 +254,7 @@ void TestDeviceUse::reCentringTakesBackWhatTheClutchMoved() {
         desk.program.frames(10);
     }
     // The cube has a diagonal of 0.1732 m, the arm reaches 0.05 m.
-    desk.program.command("workspace-fit").trigger();
+    desk.program.perform("workspace-fit");
     COMPARE_NEAR(desk.engine().workspace().scale, std::sqrt(3.0), 1e-9, "");
 }
 
@@ -316,12 +316,12 @@ void TestDeviceUse::howAHandReachesIsOfTheScene() {
     const auto reach = [&] { return desk.engine().workspace().reach; };
     QCOMPARE(reach().mode, ReachMode::Drift);
     QVERIFY(!desk.program.box(QStringLiteral("shell-radius")).isVisible());
-    desk.program.command("undo").trigger();
+    desk.program.perform("undo");
     QCOMPARE(reach(), Reach{});
     QCOMPARE(static_cast<QComboBox&>(desk.widget("workspace-reach")).currentIndex(), 0);
-    desk.program.command("redo").trigger();
+    desk.program.perform("redo");
     QCOMPARE(reach().mode, ReachMode::Drift);
-    desk.program.command("device-disconnect").trigger();
+    desk.program.perform("device-disconnect");
     QCOMPARE(reach(), Reach{}); // the mouse leads the simulated hand in the scene itself
     QVERIFY(desk.widget("workspace-reach").isVisible()); // an author needs no device for it
     desk.pick("workspace-reach", 1);
@@ -342,7 +342,7 @@ void TestDeviceUse::aSceneThatIsTriedBringsItsReach() {
     study.design.name = "Reach";
     study.design.conditions = {"drifting"};
     study.conditions = {desk.program.document.scene()};
-    desk.program.command("undo").trigger();
+    desk.program.perform("undo");
     QCOMPARE(reach(), Reach{});
     const QString file = folder_.filePath(QStringLiteral("reach.tactum-study"));
     StudySession& session = desk.program.window->study();
@@ -428,7 +428,7 @@ void TestDeviceUse::trialsAreFeltInsteadOfTheScene() {
 void TestDeviceUse::anEditEndsATrial() {
     Desk desk;
     QVERIFY(desk.program.open(writeCube(folder_)));
-    desk.program.command("trial-wall").trigger();
+    desk.program.perform("trial-wall");
     QTRY_VERIFY_WITH_TIMEOUT(desk.program.caughtUp(), kPatience);
     desk.program.type(QStringLiteral("stiffness"), QStringLiteral("345"));
     QVERIFY(!desk.program.command("trial-wall").isChecked());
@@ -442,9 +442,9 @@ void TestDeviceUse::theSpringDrawsBackToTheCentre() {
     Desk desk;
     desk.desk->place(0.03, 0.01, 0);
     QVERIFY(desk.connectIt());
-    desk.program.command("trial-spring").trigger();
+    desk.program.perform("trial-spring");
     QTRY_VERIFY_WITH_TIMEOUT(desk.program.caughtUp(), kPatience);
-    desk.program.command("armed").trigger();
+    desk.program.perform("armed");
     QVERIFY(desk.fullForce());
     // From outside nothing is felt.
     desk.program.frames(20);

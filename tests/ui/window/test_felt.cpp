@@ -64,7 +64,7 @@ private slots:
             QVERIFY(opened.felt() == FeltOptions{});
             for (const char* id : {"contact-planes", "stylus", "friction-cone", "trail", "spheres",
                                    "felt-normals", "map-viscosity", "bumps-10", "relief", "spheres-finer"})
-                opened.program.command(id).trigger();
+                opened.program.perform(id);
             opened.settle();
             QVERIFY(!opened.felt().planes);
             QVERIFY(opened.felt().normals);
@@ -84,46 +84,46 @@ private slots:
 
     void ofMapsAndBumpsOneIsOnOrNone() {
         Opened opened;
-        opened.program.command("map-stiffness").trigger();
-        opened.program.command("map-height").trigger();
+        opened.program.perform("map-stiffness");
+        opened.program.perform("map-height");
         QCOMPARE_EQ(opened.felt().map, FeltValue::Height);
         QVERIFY(!opened.program.command("map-stiffness").isChecked());
-        opened.program.command("map-height").trigger();
+        opened.program.perform("map-height");
         QVERIFY(!opened.felt().map);
-        opened.program.command("bumps-100").trigger();
+        opened.program.perform("bumps-100");
         QCOMPARE(opened.felt().bumps, 100.0);
-        opened.program.command("bumps-100").trigger();
+        opened.program.perform("bumps-100");
         QCOMPARE(opened.felt().bumps, 0.0);
     }
 
     void levelsGoOnlyWhileSpheresAreShown() {
         Opened opened;
         QVERIFY(!opened.program.command("spheres-finer").isEnabled());
-        opened.program.command("spheres").trigger();
+        opened.program.perform("spheres");
         opened.settle();
-        opened.program.command("spheres-coarser").trigger();
-        opened.program.command("spheres-coarser").trigger();
-        opened.program.command("spheres-coarser").trigger();
+        opened.program.perform("spheres-coarser");
+        opened.program.perform("spheres-coarser");
+        opened.program.perform("spheres-coarser");
         QCOMPARE(opened.felt().sphereLevel, 0);
     }
 
     void whatIsFeltComesWithTheModel() {
         Opened opened;
         const QImage bare = opened.picture();
-        opened.program.command("spheres").trigger();
+        opened.program.perform("spheres");
         const QImage spheres = opened.picture();
         QCOMPARE_GT(changedShare(bare, spheres), 0.05);
         QVERIFY(opened.program.open(writeCube(opened.folder, 2)));
         QTRY_VERIFY(!opened.program.window->view().makesFelt());
-        opened.program.command("spheres").trigger();
+        opened.program.perform("spheres");
         const QImage larger = opened.picture();
-        opened.program.command("spheres").trigger();
+        opened.program.perform("spheres");
         QCOMPARE_GT(changedShare(larger, opened.picture()), 0.05);
     }
 
     void anEditIsSeenInTheMap() {
         Opened opened;
-        opened.program.command("map-stiffness").trigger();
+        opened.program.perform("map-stiffness");
         const QImage before = opened.picture();
         Document& document = opened.program.document;
         document.select({SurfaceRef{document.scene().objects[0].id, 4}}); // the front

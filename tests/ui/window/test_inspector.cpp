@@ -207,7 +207,7 @@ void TestInspector::aColourIsChosen() {
     QVERIFY(document.scene() == before);
     COMPARE_NEAR(hue(), cold, 5, "");
     document.select({ref(program, 2)});
-    program.command("surface-colour").trigger();
+    program.perform("surface-colour");
     QVERIFY(!program.window->findChild<QColorDialog*>()); // it is locked
 }
 
@@ -224,7 +224,7 @@ void TestInspector::aDialogEndsTheTouch() {
         return program.touch().contacts > 0;
     };
     QVERIFY2(test::waitFor(touches), "it never touches");
-    program.command("surface-colour").trigger();
+    program.perform("surface-colour");
     QPointer<QColorDialog> dialog = program.window->findChild<QColorDialog*>();
     QVERIFY2(dialog, "no dialog");
     QVERIFY2(test::waitFor([&] { return !touches(); }), "it goes on touching");
@@ -252,11 +252,11 @@ void TestInspector::aFeelIsCopiedAndPasted() {
                                       each.shading.on = true;
                                   });
     program.document.select(ref(program, 0));
-    program.command("copy-feel").trigger();
+    program.perform("copy-feel");
     program.document.select({ref(program, 3), ref(program, 4)});
     program.document.setLocked(ref(program, 4), true);
     const Scene before = program.document.scene();
-    program.command("paste-feel").trigger();
+    program.perform("paste-feel");
     const Surface &from = surface(program, 0), &to = surface(program, 3);
     QVERIFY(to.material == from.material);
     QVERIFY(to.layers == from.layers);
@@ -271,7 +271,7 @@ void TestInspector::aFeelIsCopiedAndPasted() {
         program.document.history().undo();
     QVERIFY(program.open(writeCube(folder_, 1.5)));
     program.document.select(ref(program, 1));
-    program.command("paste-feel").trigger();
+    program.perform("paste-feel");
     QCOMPARE(surface(program, 1).layers.size(), std::size_t(1));
     QCOMPARE(surface(program, 1).layers[0].name, std::string("noise"));
 }
@@ -284,7 +284,7 @@ void TestInspector::othersBecomeTheSameAsTheActiveOne() {
     program.type(QStringLiteral("stiffness"), QStringLiteral("222"));
     program.document.select({ref(program, 0), ref(program, 1), ref(program, 5)});
     const int steps = program.document.history().count();
-    program.command("same-feel").trigger();
+    program.perform("same-feel");
     QCOMPARE(program.document.history().count(), steps + 1);
     QCOMPARE(surface(program, 0).material.stiffness, 222.0);
     QCOMPARE(surface(program, 1).material.stiffness, 222.0);
@@ -305,20 +305,20 @@ void TestInspector::normalsAreTurnedOver() {
     for (Index t = 0; t < 12; ++t)
         old.push_back(normal(t));
     program.document.select(ref(program, 2));
-    program.command("normals-flip").trigger();
+    program.perform("normals-flip");
     QTRY_VERIFY_WITH_TIMEOUT(!program.document.editing(), kPatience);
     for (Index t = 0; t < 12; ++t) {
         const bool own = before.objects[0].geometry->surfaceOf[t] == 2;
         QVERIFY(normal(t).isApprox(own ? Vec3(-old[t]) : old[t]));
     }
-    program.command("normals-agree").trigger();
+    program.perform("normals-agree");
     QTRY_VERIFY_WITH_TIMEOUT(!program.document.editing(), kPatience);
     for (Index t = 0; t < 12; ++t)
         QVERIFY(normal(t).isApprox(old[t]));
-    program.command("normals-smooth").trigger();
+    program.perform("normals-smooth");
     QVERIFY(surface(program, 2).shading.on);
     QVERIFY(!surface(program, 1).shading.on);
-    program.command("normals-flat").trigger();
+    program.perform("normals-flat");
     QVERIFY(!surface(program, 2).shading.on);
     while (program.document.history().canUndo())
         program.document.history().undo();

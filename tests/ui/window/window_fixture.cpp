@@ -5,9 +5,11 @@
 #include <QApplication>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QLineEdit>
 #include <QMenu>
 #include <QSettings>
 #include <QTest>
+#include <QTreeWidget>
 #include <QWheelEvent>
 #include <QWindow>
 
@@ -17,6 +19,7 @@
 #include "ui/engine/guard_watch.h"
 #include "ui/view/scene_view.h"
 #include "ui/view/surface_format.h"
+#include "ui/widgets/command_palette.h"
 
 namespace tactum {
 
@@ -197,6 +200,34 @@ QDoubleSpinBox& TouchedWindow::box(const QString& key) {
     auto* found = window->findChild<QDoubleSpinBox*>(key);
     if (!found) qFatal("no field %s", qPrintable(key));
     return *found;
+}
+
+void TouchedWindow::perform(const char* id) {
+    const QAction& action = command(id);
+    const auto receiver = [this] {
+        QWidget* holds = QApplication::focusWidget();
+        return holds ? holds : window.get();
+    };
+    if (const QKeySequence key = action.shortcut(); !key.isEmpty())
+        return QTest::keySequence(receiver(), key);
+    QTest::keySequence(receiver(), command("palette").shortcut());
+    const auto palette = [this] { return window->findChild<CommandPalette*>(); };
+    if (!test::waitFor([&] { return palette() && palette()->isVisible(); })) qFatal("no palette");
+    auto* line = palette()->findChild<QLineEdit*>(QStringLiteral("palette-line"));
+    QString name = action.text().remove(u'&');
+    if (name.endsWith(QStringLiteral("..."))) name.chop(3);
+    QTest::keyClicks(line, name);
+    // Others may have the name: down to the one of this menu.
+    const auto& rows = *palette()->findChild<QTreeWidget*>(QStringLiteral("palette-list"));
+    const auto isIt = [&](const QTreeWidgetItem* row) {
+        const auto* menu = qobject_cast<QMenu*>(action.associatedObjects().value(0));
+        return row && row->text(0) == name && menu && row->text(1).endsWith(menu->title().remove(u'&'));
+    };
+    for (int i = 0; i < rows.topLevelItemCount() && !isIt(rows.currentItem()); ++i)
+        QTest::keyClick(line, Qt::Key_Down);
+    if (!isIt(rows.currentItem())) qFatal("the palette does not have %s", id);
+    QTest::keyClick(line, Qt::Key_Return);
+    if (!test::waitFor([&] { return !palette(); })) qFatal("the palette stays: %s", id);
 }
 
 QAction& TouchedWindow::command(const char* id) {

@@ -71,6 +71,8 @@ public:
     /// Types a value into the inspector, as a person does: click, digits, Enter.
     void type(const QString& key, const QString& value);
     QDoubleSpinBox& box(const QString& key);
+    /// By the keyboard: the command's key, or its name in the palette and Enter.
+    void perform(const char* id);
     /// A command of the menus by its id.
     QAction& command(const char* id);
     /// Waits for the full strength of the force; a machine that is late takes it away: then a person arms
