@@ -58,7 +58,7 @@ inline const std::vector<Room> kRooms{
     {"ui/engine", {"ui/document", "core/runtime", "core/self_test"}},
     {"ui/widgets", {"ui/base", "core/runtime"}},
     {"ui/tools", {"ui/document", "ui/view"}},
-    {"ui/sound", {"core/runtime"}},
+    {"ui/sound", {"core/runtime", "core/vibration"}},
     {"ui/panels", {"ui/engine", "ui/tools", "ui/widgets", "core/recording"}},
     {"ui/study", {"ui/engine", "ui/widgets", "core/study"}},
     {"ui/showing", {"ui/engine", "ui/widgets", "ui/view", "core/recording", "core/video", "core/report"}},

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/vibration/vibration.h"
+
 namespace tactum {
 
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kLowestTone = 20;  // Hz
 constexpr double kPerNewton = 0.5;  // of full scale
 constexpr double kFollowTime = 0.1; // s
 
@@ -19,14 +20,11 @@ double sinc(double x) {
 
 } // namespace
 
-// The high-pass is Butterworth's of second order (bilinear transform).
 ContactSound::ContactSound(double servoRate) {
     const double rate = std::clamp(servoRate, 100.0, double(kSoundRate));
     perSample_ = rate / kSoundRate;
     follow_ = 1 / (kFollowTime * rate);
-    const double k = std::tan(kPi * kLowestTone / rate), norm = 1 / (1 + std::numbers::sqrt2 * k + k * k);
-    b_ = {norm, -2 * norm, norm};
-    a_ = {1, 2 * (k * k - 1) * norm, (1 - std::numbers::sqrt2 * k + k * k) * norm};
+    shaking_ = SecondOrder::highPass(kSlowestVibration, rate);
     for (int phase = 0; phase <= kPhases; ++phase) {
         // A sample lies between the two ticks in the middle of the taps.
         std::array<double, kTaps> taps{};
@@ -52,11 +50,9 @@ std::vector<float> ContactSound::operator()(std::span<const Vec3> forces) {
 }
 
 double ContactSound::shaking(const Vec3& force) {
-    if (!begun_) in_ = {force, force};
+    if (!begun_) shaking_.settle(force, Vec3::Zero());
     begun_ = true;
-    const Vec3 now = b_[0] * force + b_[1] * in_[0] + b_[2] * in_[1] - a_[1] * out_[0] - a_[2] * out_[1];
-    in_ = {force, in_[0]};
-    out_ = {now, out_[0]};
+    const Vec3 now = shaking_(force);
     // Oja's rule: turns toward where the shaking is, by its power against that of the last moments.
     level_ += follow_ * (now.squaredNorm() - level_);
     if (direction_.isZero(0)) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/vec.h"
+#include "core/vibration/second_order.h"
 
 namespace tactum {
 
@@ -33,9 +34,7 @@ private:
     double shaking(const Vec3& force);
 
     double perSample_; ///< ticks of one sample
-    std::array<double, 3> b_{}, a_{};
-    /// Of the high-pass, newest first.
-    std::array<Vec3, 2> in_{Vec3::Zero(), Vec3::Zero()}, out_{Vec3::Zero(), Vec3::Zero()};
+    SecondOrder shaking_;
     Vec3 direction_ = Vec3::Zero();
     bool begun_ = false;
     Vec3 last_ = Vec3::Zero();
