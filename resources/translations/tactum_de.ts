@@ -240,6 +240,10 @@
             <translation>%1 ist jetzt leer: Änderungen vor %2 verwerfen?</translation>
         </message>
         <message>
+            <source>%1 is gone: nothing vibrates until a gamepad is connected.</source>
+            <translation>%1 ist nicht mehr da: Nichts vibriert, bis ein Gamepad angeschlossen ist.</translation>
+        </message>
+        <message>
             <source>%1 is in the library now.</source>
             <translation>%1 ist jetzt in der Bibliothek.</translation>
         </message>
@@ -426,6 +430,10 @@
         <message>
             <source>%1 triangles</source>
             <translation>%1 Dreiecke</translation>
+        </message>
+        <message>
+            <source>%1 vibrates with what is felt.</source>
+            <translation>%1 vibriert mit dem, was gefühlt wird.</translation>
         </message>
         <message>
             <source>%1 was changed by another program. Its new shapes can take the feel of this scene.</source>
@@ -742,6 +750,10 @@
         <message>
             <source>&amp;Front sides in line</source>
             <translation>&amp;Vordere Seiten auf eine Linie</translation>
+        </message>
+        <message>
+            <source>&amp;Gamepad</source>
+            <translation>Game&amp;pad</translation>
         </message>
         <message>
             <source>&amp;Go on after trial %1, where the last run broke off</source>
@@ -1104,6 +1116,10 @@
             <translation>Dieses &amp;Profil benutzen</translation>
         </message>
         <message>
+            <source>&amp;Vibrate with what is felt</source>
+            <translation>Mit dem Gefühlten &amp;vibrieren</translation>
+        </message>
+        <message>
             <source>&amp;Viscosity</source>
             <translation>&amp;Viskosität</translation>
         </message>
@@ -1370,6 +1386,10 @@
         <message>
             <source>A flat face that feels like a relief, from one picture</source>
             <translation>Eine ebene Fläche, die sich wie ein Relief anfühlt, aus einem Bild</translation>
+        </message>
+        <message>
+            <source>A gamepad shakes as the force does, with the mouse, a device or a recording: texture, slips and impacts</source>
+            <translation>Ein Gamepad zittert wie die Kraft, mit der Maus, einem Gerät oder einer Aufzeichnung: Textur, Rutschen und Stöße</translation>
         </message>
         <message>
             <source>A gentle spring to the middle of the device's workspace, instead of the scene</source>
@@ -1890,6 +1910,10 @@
         <message>
             <source>At %1 %2.</source>
             <translation>Auf %1: %2.</translation>
+        </message>
+        <message>
+            <source>At 1 a vibration of 1 N turns a motor with all it has, at 4 one of 0.25 N. Device &gt; Gamepad switches it on.</source>
+            <translation>Bei 1 dreht eine Vibration von 1 N einen Motor so stark, wie er kann, bei 4 eine von 0.25 N. Gerät &gt; Gamepad schaltet sie ein.</translation>
         </message>
         <message>
             <source>At least %1</source>
@@ -2998,6 +3022,14 @@
         <message>
             <source>G, R, S, move tool</source>
             <translation>G, R, S, Werkzeug Verschieben</translation>
+        </message>
+        <message>
+            <source>Gamepad</source>
+            <translation>Gamepad</translation>
+        </message>
+        <message>
+            <source>Gamepads are looked for while this is on</source>
+            <translation>Gamepads werden gesucht, solange dies an ist</translation>
         </message>
         <message>
             <source>Geometry of %1</source>
@@ -4209,6 +4241,14 @@
         <message>
             <source>No force shading: every facet is felt as it is</source>
             <translation>Kein Kraft-Shading: Jede Facette wird gefühlt, wie sie ist</translation>
+        </message>
+        <message>
+            <source>No gamepad that vibrates is connected</source>
+            <translation>Kein Gamepad, das vibriert, ist angeschlossen</translation>
+        </message>
+        <message>
+            <source>No gamepad that vibrates is connected; one that is plugged in vibrates at once.</source>
+            <translation>Kein Gamepad, das vibriert, ist angeschlossen; eines, das eingesteckt wird, vibriert sofort.</translation>
         </message>
         <message>
             <source>No key and no gesture has these words.</source>
@@ -5878,6 +5918,10 @@ der Grenze rendern</translation>
         <message>
             <source>Strength</source>
             <translation>Stärke</translation>
+        </message>
+        <message>
+            <source>Strength of the vibration</source>
+            <translation>Stärke der Vibration</translation>
         </message>
         <message>
             <source>Stroke the model with the finger (W, then drag): what the layers are along the way appears here.</source>

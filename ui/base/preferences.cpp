@@ -23,6 +23,7 @@ constexpr auto kNumbers = "Numbers";
 constexpr auto kLook = "Look";
 constexpr auto kSaving = "Saving";
 constexpr auto kLimits = "Limits";
+constexpr auto kGamepad = "Gamepad";
 
 const std::vector<Preference>& table() {
     static const std::vector<Preference> kTable{
@@ -111,6 +112,12 @@ const std::vector<Preference>& table() {
           "No device gives more, whatever it can and whatever a scene asks for; 0 is as much as it can. "
           "Counts "
           "for a device from when it is connected, for the simulated hand from the next start on."},
+         {}},
+        {Preferred::Vibration,
+         kGamepad,
+         {"gamepad/strength", "Strength of the vibration", "x", 0.1, 20, 0.1, 1, 1,
+          "At 1 a vibration of 1 N turns a motor with all it has, at 4 one of 0.25 N. Device > Gamepad "
+          "switches it on."},
          {}},
     };
     return kTable;

@@ -27,7 +27,8 @@ enum class Preferred {
     Language,
     JournalTime,
     JournalEdits,
-    LargestForce
+    LargestForce,
+    Vibration
 };
 
 struct Preference {

@@ -377,6 +377,10 @@ constexpr Command kCommands[] = {
      "Status, health, plots and trail are those of the next hand; of a recording's hands while one is shown"},
     {"hand-remove", "Device/&Hands", "&Remove the hand", "Ctrl+Alt+H", "",
      "Give the device of the chosen hand back. The forces of all hands are off then"},
+    {"rumble", "Device/&Gamepad", "&Vibrate with what is felt", "", "",
+     "A gamepad shakes as the force does, with the mouse, a device or a recording: texture, slips and "
+     "impacts",
+     true},
     {"workspace-centre", "Device", "Re-c&entre the workspace", "Ctrl+Shift+Home", "",
      "The middle of the device's workspace comes to the middle of the model", false, true},
     {"workspace-fit", "Device", "Fit the &workspace to the model", "", "",

@@ -3,7 +3,6 @@
 #include <QMenu>
 #include <QMenuBar>
 
-#include "core/runtime/engine.h"
 #include "ui/sound/sound_link.h"
 #include "ui/widgets/notice_bar.h"
 
@@ -25,7 +24,7 @@ SoundController::SoundController(const Workbench& bench, SoundLink& link)
 
 void SoundController::setSound(bool on) {
     if (!on) return sound_.stop();
-    if (sound_.start(bench_.engine.device().rate)) return;
+    if (sound_.start()) return;
     const QString why = SoundLink::whyNot();
     bench_.notice.showNote(why.isEmpty()
                                ? tr("The audio output could not be opened; is another program holding it?")

@@ -19,13 +19,14 @@ public:
 
     /// Why nothing can be heard on this machine; empty when it can.
     static QString whyNot() { return SoundOutput::whyNot(); }
-    /// servoRate in Hz. False when the output does not open.
-    bool start(double servoRate);
+    /// False when the output does not open.
+    bool start();
     void stop() { output_.stop(); }
-    /// What the servo did since the last call; nothing happens while it is off.
-    void play(const std::vector<TracePoint>& points);
+    /// What the servo did since the last call, `rate` times a second; nothing happens while it is off.
+    void play(const std::vector<TracePoint>& points, double rate);
 
 private:
+    double rate_ = 1000; ///< Hz
     ContactSound sound_;
     SoundOutput output_;
     std::vector<Vec3> forces_;

@@ -45,6 +45,7 @@
 #include "ui/controllers/recovery_controller.h"
 #include "ui/controllers/report_controller.h"
 #include "ui/controllers/room_controller.h"
+#include "ui/controllers/rumble_controller.h"
 #include "ui/controllers/save_controller.h"
 #include "ui/controllers/section_controller.h"
 #include "ui/controllers/select_controller.h"
@@ -73,6 +74,7 @@
 #include "ui/panels/recovery_bar.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
+#include "ui/rumble/rumble_link.h"
 #include "ui/showing/playback.h"
 #include "ui/showing/playback_bar.h"
 #include "ui/showing/played_touch.h"
@@ -121,7 +123,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
       playback_(new Playback(*playbackBar_, this)), saver_(new RecordingSaver(engine, document, this)),
       journal_(new Journal(document, this)), recovery_(new Recovery(document, *journal_, this)),
       recoveryBar_(new RecoveryBar(*recovery_)), studyPage_(new StudyPage), sound_(new SoundLink(this)),
-      link_(new DeviceLink(engine, this)),
+      rumble_(new RumbleLink(this)), link_(new DeviceLink(engine, this)),
       told_(new EditNotice(document, *notice_, this)), bench_{*this,      document_, engine_,
                                                               publisher_, actions_,  *view_,
                                                               *notice_,   *told_,    *playback_},
@@ -162,6 +164,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     felt_ = new FeltController(bench_);
     new PlotController(bench_, *docks_.plot);
     new SoundController(bench_, *sound_);
+    new RumbleController(bench_, *rumble_);
     connectDocument();
     connectParts();
     presentation_ = new PresentationController(bench_);
@@ -383,8 +386,14 @@ void MainWindow::drawTrace() {
     docks_.plot->take(trace_, engine_.proxy().output, engine_.device().maxForce, engine_.proxy().rate,
                       view_->readingOf(engine_.proxy(), docks_.body->body()), touchedName_);
     view_->addTrail(trace_, engine_.proxy().output);
-    sound_->play(trace_);
+    playTouch(trace_, engine_.device().rate);
     docks_.layers->take(trace_, engine_.proxy().time);
+}
+
+/// To whatever else can play what is felt.
+void MainWindow::playTouch(const std::vector<TracePoint>& points, double rate) {
+    sound_->play(points, rate);
+    rumble_->play(points, rate);
 }
 
 void MainWindow::playFrame() {
@@ -402,7 +411,8 @@ void MainWindow::playFrame() {
         view_->clearTrail();
     }
     if (const World* world = player.world()) showTouched(world, *world->scene);
-    sound_->play(showPlayed(player, hand, *docks_.plot, *view_, touchedName_));
+    playTouch(showPlayed(player, hand, *docks_.plot, *view_, touchedName_),
+              player.run().hand(hand).device.rate);
     for (TracePoint live; engine_.popTrace(live);)
         continue;
     status_->display(player.proxy(), player.servo(hand), player.run().hand(hand).device);

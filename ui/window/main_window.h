@@ -59,6 +59,7 @@ class SharedScene;
 class Recovery;
 class RecoveryBar;
 class RoomController;
+class RumbleLink;
 class SaveController;
 class SceneView;
 class SoundLink;
@@ -137,6 +138,7 @@ private:
     void connectParts();
     void connectToServer(); ///< main_window_shared.cpp
     void drawTrace();
+    void playTouch(const std::vector<TracePoint>& points, double rate);
     Document& document_;
     Engine& engine_;
     WorldPublisher publisher_;
@@ -165,6 +167,7 @@ private:
     RecoveryBar* recoveryBar_;
     StudyPage* studyPage_;
     SoundLink* sound_;
+    RumbleLink* rumble_;
     DeviceLink* link_;
     EditNotice* told_;
     Workbench bench_; ///< of the controllers below
