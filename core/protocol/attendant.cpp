@@ -102,18 +102,27 @@ void Attendant::tell(const StageState& state, std::span<const StageEvent> events
         else
             lostEvents_ = true;
     }
-    if (telemetry_) {
-        trace_.insert(trace_.end(), state.engine.trace.begin(), state.engine.trace.end());
-        if (trace_.size() > kMostTrace) trace_.erase(trace_.begin(), trace_.end() - kMostTrace);
-    }
+    if (telemetry_) keepTraces(state.engine);
     if (writing_) return;
     const bool due = mayState(state.at);
     if (due) {
         state_ = state;
-        state_.engine.trace.assign(trace_.begin(), trace_.end());
-        trace_.clear();
+        for (std::size_t hand = 0; hand < traces_.size(); ++hand) {
+            state_.engine.hands[hand].trace.assign(traces_[hand].begin(), traces_[hand].end());
+            traces_[hand].clear();
+        }
     }
     write(due);
+}
+
+void Attendant::keepTraces(const EngineReport& engine) {
+    traces_.resize(engine.hands.size());
+    for (std::size_t hand = 0; hand < traces_.size(); ++hand) {
+        std::deque<TracePoint>& kept = traces_[hand];
+        const std::vector<TracePoint>& told = engine.hands[hand].trace;
+        kept.insert(kept.end(), told.begin(), told.end());
+        if (kept.size() > kMostTrace) kept.erase(kept.begin(), kept.end() - kMostTrace);
+    }
 }
 
 /// The next thing to say, if there is any.

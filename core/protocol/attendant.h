@@ -4,6 +4,7 @@
 #include <array>
 #include <deque>
 #include <mutex>
+#include <vector>
 
 #include "core/protocol/service.h"
 
@@ -30,6 +31,7 @@ private:
     void lead();
     void end(const grpc::Status& status);
     void write(bool stateIsNew);
+    void keepTraces(const EngineReport& engine);
     bool mayState(std::int64_t now) const;
     std::uint64_t credit() const;
 
@@ -43,7 +45,7 @@ private:
     std::deque<StageEvent> events_;
     bool lostEvents_ = false;
     StageState state_;
-    std::deque<TracePoint> trace_; ///< of a window, that was not sent yet
+    std::vector<std::deque<TracePoint>> traces_; ///< of a window, of each hand, that were not sent yet
     std::uint64_t sent_ = 0, seen_ = 0;
     std::array<std::int64_t, 64> sentAt_{}; ///< ns, by the number of the state
     double roundTrip_ = 0;                  ///< s

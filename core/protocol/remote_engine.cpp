@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/protocol/remote_session.h"
+#include "core/protocol/remote_engine_impl.h"
 #include "core/recording/recording_file.h"
 
 namespace tactum {
@@ -13,34 +13,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Order = v1::OrderRequest;
 
-/// What was set, which is told until the server had time to tell it.
-template <class T> class Wish {
-public:
-    void set(const T& value) { value_ = value, until_ = Clock::now() + std::chrono::seconds(1); }
-    void forget() { until_ = {}; }
-    T over(const T& told) const { return Clock::now() < until_ ? value_ : told; }
-
-private:
-    T value_{};
-    Clock::time_point until_{};
-};
-
 void write(v1::Vector& to, const Vec3& v) {
     to.set_x(v.x()), to.set_y(v.y()), to.set_z(v.z());
-}
-
-v1::Workspace written(const Workspace& workspace) {
-    v1::Workspace to;
-    to.set_scale(workspace.scale);
-    for (const auto axis : workspace.axes)
-        to.add_axis(axis);
-    write(*to.mutable_offset(), workspace.offset);
-    to.set_clutch(workspace.clutch);
-    to.set_bump(workspace.bump);
-    to.set_centring(workspace.centring);
-    to.set_reach(std::uint32_t(workspace.reach.mode));
-    to.set_shell(workspace.reach.shell);
-    return to;
 }
 
 /// What a server's contacts name, as far as this World has it.
@@ -56,25 +30,15 @@ void keepKnown(HapticOutput& output, const World* world) {
     output.contacts = kept;
 }
 
+/// Nobody knows what it feels.
+void silence(HandReport& hand) {
+    hand.servo.gain = hand.servo.rate = 0;
+    hand.servo.force = hand.touch.output.force = Vec3::Zero();
+    hand.servo.inhibit = InhibitReason::NotArmed;
+    hand.armed = hand.standsStill = false;
+}
+
 } // namespace
-
-struct RemoteEngine::Impl {
-    Impl(RemoteSettings settings, std::shared_ptr<HandTarget> hand)
-        : session(std::move(settings), std::move(hand)) {
-        shown.device.name = "Haptic server";
-    }
-
-    RemoteSession session;
-    EngineReport shown; ///< as poll() found it
-    // While nobody tells what is felt, the plots go on without force.
-    TracePoint last;
-    bool pointDue = false;
-    Clock::time_point polled = Clock::now();
-    Wish<bool> armed, deadMan, overrides;
-    Wish<double> pace;
-    Wish<Workspace> workspace;
-    Workspace shownWorkspace;
-};
 
 RemoteEngine::RemoteEngine(RemoteSettings settings, std::shared_ptr<HandTarget> hand)
     : impl_(std::make_unique<Impl>(std::move(settings), std::move(hand))) {}
@@ -102,7 +66,7 @@ Result<void> RemoteEngine::setDevice(std::unique_ptr<HapticDevice>) {
 }
 
 std::string RemoteEngine::trouble() const {
-    if (running()) return impl_->shown.trouble;
+    if (running()) return impl_->spokenHand().trouble;
     const std::string fault = impl_->session.fault();
     if (!fault.empty())
         return "The haptic server at " + impl_->session.settings().target + ": " + fault +
@@ -117,20 +81,14 @@ std::string RemoteEngine::trouble() const {
            "token (--credentials), which one at 127.0.0.1 does not.";
 }
 std::string RemoteEngine::caution() const {
-    return impl_->shown.caution;
+    return impl_->spokenHand().caution;
 }
 
 Result<void> RemoteEngine::setWorkspace(const Workspace& workspace) {
-    if (Result<void> possible = checkWorkspace(workspace); !possible) return possible;
-    impl_->workspace.set(workspace);
-    impl_->shownWorkspace = workspace;
-    Order order;
-    *order.mutable_workspace() = written(workspace);
-    impl_->session.order(std::move(order), true);
-    return {};
+    return setWorkspaceOf(impl_->spoken, workspace);
 }
 const Workspace& RemoteEngine::workspace() const {
-    return impl_->shownWorkspace;
+    return impl_->spokenHand().workspace;
 }
 
 void RemoteEngine::publish(std::shared_ptr<const World> world) {
@@ -140,60 +98,58 @@ std::uint64_t RemoteEngine::publishedAfter() const {
     return impl_->shown.publishedAfter;
 }
 
+/// Off is a stop, which needs no pen and is for all.
 void RemoteEngine::setArmed(bool armed) {
-    impl_->armed.set(armed);
-    Order order;
-    if (armed)
-        order.set_arm(true);
-    else
-        order.mutable_stop(); // which needs no pen
-    impl_->session.order(std::move(order));
+    armed ? setArmedOf(impl_->spoken, true) : setAllArmed(false);
 }
 void RemoteEngine::fade() {
-    impl_->armed.set(false);
+    impl_->wishArmed(impl_->spoken, false);
     Order order;
     order.mutable_fade();
-    impl_->session.order(std::move(order));
+    impl_->order(std::move(order), impl_->spoken);
 }
 bool RemoteEngine::armed() const {
-    return running() && impl_->armed.over(impl_->shown.armed);
+    return running() && impl_->spokenHand().armed;
 }
 
 void RemoteEngine::setDeadMan(bool on) {
-    impl_->deadMan.set(on);
+    for (std::size_t hand = 0; hand < hands(); ++hand) {
+        impl_->wishes[hand].deadMan.set(on);
+        impl_->shown.hands[hand].deadMan = on;
+    }
     Order order;
     order.set_dead_man(on);
     impl_->session.order(std::move(order), true);
 }
 bool RemoteEngine::deadMan() const {
-    return impl_->deadMan.over(impl_->shown.deadMan);
+    return impl_->spokenHand().deadMan;
 }
 
 void RemoteEngine::setOverrideCeiling(bool on) {
-    impl_->overrides.set(on);
+    impl_->wishes[impl_->spoken].overrides.set(on);
+    impl_->spokenHand().overridesCeiling = on;
     Order order;
     order.set_override_ceiling(on);
-    impl_->session.order(std::move(order));
+    impl_->order(std::move(order), impl_->spoken);
 }
 bool RemoteEngine::overridesCeiling() const {
-    return impl_->overrides.over(impl_->shown.overridesCeiling);
+    return impl_->spokenHand().overridesCeiling;
 }
 
 void RemoteEngine::push(const Vec3& force) {
     v1::Word word;
     write(*word.mutable_push()->mutable_force(), force);
+    word.mutable_push()->set_hand(std::uint32_t(impl_->spoken));
     impl_->session.say(word);
 }
 
 void RemoteEngine::setGrasped(bool on) {
-    Order order;
-    order.set_grasped(on);
-    impl_->session.order(std::move(order), true);
+    setGraspedOf(impl_->spoken, on);
 }
 void RemoteEngine::restartProxy() {
     Order order;
     order.mutable_restart();
-    impl_->session.order(std::move(order));
+    impl_->order(std::move(order), impl_->spoken);
 }
 void RemoteEngine::setPace(double pace) {
     impl_->pace.set(pace);
@@ -220,33 +176,34 @@ void RemoteEngine::poll() {
     std::shared_ptr<const World> world;
     EngineReport& shown = impl_->shown;
     const bool known = impl_->session.read(shown, world);
+    if (impl_->spoken >= shown.hands.size()) impl_->spoken = 0; // another server
     const double passed = std::chrono::duration<double>(Clock::now() - impl_->polled).count();
     impl_->polled = Clock::now();
     impl_->pointDue = !known;
     impl_->last.t += known ? 0 : passed;
-    if (!known) {
-        shown.servo.gain = shown.servo.rate = shown.proxy.rate = 0;
-        shown.servo.force = shown.proxy.output.force = Vec3::Zero();
-        shown.servo.inhibit = InhibitReason::NotArmed;
-        shown.running = shown.armed = shown.standsStill = false;
+    shown.running = shown.running && known;
+    if (!known) shown.world.rate = 0;
+    shown.world.worldRevision = world ? world->revision : 0;
+    shown.world.bodies.of = world && world->moving ? world->moving->key() : 0;
+    for (std::size_t hand = 0; hand < shown.hands.size(); ++hand) {
+        keepKnown(shown.hands[hand].touch.output, world.get());
+        impl_->wishes[hand].over(shown.hands[hand]);
+        if (!known) silence(shown.hands[hand]);
     }
-    shown.proxy.worldRevision = world ? world->revision : 0;
-    shown.proxy.bodies.of = world && world->moving ? world->moving->key() : 0;
-    keepKnown(shown.proxy.output, world.get());
-    impl_->shownWorkspace = impl_->workspace.over(shown.workspace);
+    impl_->join();
 }
 
 const ProxyTelemetry& RemoteEngine::proxy() const {
-    return impl_->shown.proxy;
+    return impl_->proxy;
 }
 const ServoTelemetry& RemoteEngine::servo() const {
-    return impl_->shown.servo;
+    return impl_->spokenHand().servo;
 }
 bool RemoteEngine::servoStandsStill() const {
-    return impl_->shown.standsStill;
+    return impl_->spokenHand().standsStill;
 }
 bool RemoteEngine::popTrace(TracePoint& point) {
-    const bool told = impl_->session.popTrace(point);
+    const bool told = impl_->session.popTrace(impl_->spoken, point);
     if (told) impl_->last = {.t = point.t, .finger = point.finger, .proxy = point.proxy};
     if (told || !std::exchange(impl_->pointDue, false)) return told;
     point = impl_->last;
@@ -261,7 +218,7 @@ RecordedRun RemoteEngine::recorded() const {
 }
 
 const DeviceInfo& RemoteEngine::device() const {
-    return impl_->shown.device;
+    return impl_->spokenHand().device;
 }
 bool RemoteEngine::hasRealtimePriority() const {
     return impl_->shown.realtime;
@@ -280,7 +237,9 @@ std::optional<SharedScene::Arrived> RemoteEngine::arrived() {
 }
 std::optional<std::string> RemoteEngine::refused() {
     auto why = impl_->session.refused();
-    if (why) impl_->armed.forget();
+    if (why)
+        for (Wishes& each : impl_->wishes)
+            each.armed.forget();
     return why;
 }
 std::optional<std::string> RemoteEngine::forceSaid() {

@@ -8,6 +8,7 @@
 #include "core/port/hand_target.h"
 #include "core/protocol/remote_settings.h"
 #include "core/runtime/engine.h"
+#include "core/runtime/hands_elsewhere.h"
 #include "core/runtime/shared_scene.h"
 
 namespace tactum {
@@ -15,10 +16,11 @@ namespace tactum {
 /// What is ordered goes out at once, beside the caller; what is published goes out whole, the newest as soon
 /// as the one before has arrived. What a loop tells is as old as the way from the server. Where the
 /// connection is lost it is made again, and what is published is sent anew; the forces stay off until they
-/// are switched on.
-class RemoteEngine final : public Engine, public SharedScene {
+/// are switched on. As an Engine it speaks of one of the server's hands, the first until speakOf(); forces
+/// off, dead-man switch and pace are for all of them.
+class RemoteEngine final : public Engine, public HandsElsewhere, public SharedScene {
 public:
-    /// `hand`: where the simulated hand should go, if the server's device is one; may be null.
+    /// `hand`: where the first simulated hand of the server should go, if it has one; may be null.
     RemoteEngine(RemoteSettings settings, std::shared_ptr<HandTarget> hand);
     ~RemoteEngine() override;
 
@@ -60,6 +62,19 @@ public:
     const DeviceInfo& device() const override;
     bool hasRealtimePriority() const override;
     const std::string& priorityNote() const override;
+
+    std::size_t hands() const override;
+    void speakOf(std::size_t hand) override;
+    std::size_t spokenOf() const override;
+    const HandReport& told(std::size_t hand) const override;
+    Result<void> setWorkspaceOf(std::size_t hand, const Workspace& workspace) override;
+    void setGraspedOf(std::size_t hand, bool on) override;
+    /// Without the pen nothing happens.
+    void restartProxyOf(std::size_t hand) override;
+    /// Off, for who has the pen: a force that a guard ended stays away without that. Who wants it off for
+    /// good, with or without the pen, means all.
+    void setArmedOf(std::size_t hand, bool armed) override;
+    void setAllArmed(bool armed) override;
 
     std::string place() const override;
     std::optional<Arrived> arrived() override;

@@ -27,9 +27,10 @@ bool isSame(const Scene& a, const Scene& b) {
     return bytesOf(withoutKept(a), KnownParts(a)) == bytesOf(withoutKept(b), KnownParts(b));
 }
 
-v1::Word wordOf(const HandGoal& goal) {
+v1::Word wordOf(const HandGoal& goal, std::size_t hand) {
     v1::Word word;
     v1::HandGoal& to = *word.mutable_hand();
+    to.set_hand(std::uint32_t(hand));
     to.mutable_position()->set_x(goal.position.x());
     to.mutable_position()->set_y(goal.position.y());
     to.mutable_position()->set_z(goal.position.z());
@@ -99,12 +100,17 @@ bool RemoteSession::read(EngineReport& report, std::shared_ptr<const World>& wor
     return true;
 }
 
-bool RemoteSession::popTrace(TracePoint& point) {
+bool RemoteSession::popTrace(std::size_t hand, TracePoint& point) {
     const std::lock_guard lock(mutex_);
-    if (trace_.empty()) return false;
-    point = trace_.front();
-    trace_.pop_front();
+    if (hand >= traces_.size() || traces_[hand].empty()) return false;
+    point = traces_[hand].front();
+    traces_[hand].pop_front();
     return true;
+}
+
+void RemoteSession::dropTrace(std::size_t hand) {
+    const std::lock_guard lock(mutex_);
+    if (hand < traces_.size()) traces_[hand].clear();
 }
 
 std::optional<SharedScene::Arrived> RemoteSession::arrived() {
@@ -134,21 +140,31 @@ RemoteSession::Standing RemoteSession::standing() const {
 
 // ---- the connection ----
 
+/// The simulated hand, which the mouse leads: the first of them.
+std::optional<std::size_t> RemoteSession::ledHand() const {
+    if (!told_) return std::nullopt;
+    const auto found =
+        std::ranges::find_if(told_->hands, [](const HandReport& hand) { return !hand.device.real; });
+    if (found == told_->hands.end()) return std::nullopt;
+    return std::size_t(found - told_->hands.begin());
+}
+
 /// Makes it, and makes it again; meanwhile leads the hand.
 void RemoteSession::keep() {
     HandGoal sent;
     std::unique_lock lock(mutex_);
     while (!ending_) {
         const std::shared_ptr<Connection> now = link_;
+        const std::optional<std::size_t> led = ledHand();
         lock.unlock();
         if (!now) {
             connect();
         } else if (!now->open()) {
             now->leave();
             lose(now->fault());
-        } else if (hand_) {
+        } else if (hand_ && led) {
             const HandGoal goal = hand_->read();
-            if (!isSame(goal, sent)) now->say(wordOf(goal));
+            if (!isSame(goal, sent)) now->say(wordOf(goal, *led));
             sent = goal;
         }
         lock.lock();
@@ -177,8 +193,7 @@ void RemoteSession::connect() {
     fault_.clear();
     done_ = nullptr; // of whatever server was there before
     orders_.clear();
-    for (const auto& [kind, each] : settled_)
-        orders_.push_back(each);
+    settles_ = true;
     changed_.notify_all();
 }
 
@@ -217,9 +232,17 @@ void RemoteSession::hear(std::uint64_t from, const v1::State& state) {
         refusal_ = report.error().text;
         return;
     }
-    trace_.insert(trace_.end(), report->trace.begin(), report->trace.end());
-    if (trace_.size() > kMostTrace) trace_.erase(trace_.begin(), trace_.end() - kMostTrace);
-    report->trace.clear();
+    traces_.resize(report->hands.size());
+    if (std::exchange(settles_, false))
+        for (const auto& [kind, each] : settled_)
+            if (each.of() < report->hands.size()) orders_.push_back(each); // another server may have fewer
+    for (std::size_t hand = 0; hand < traces_.size(); ++hand) {
+        std::deque<TracePoint>& kept = traces_[hand];
+        std::vector<TracePoint>& told = report->hands[hand].trace;
+        kept.insert(kept.end(), told.begin(), told.end());
+        if (kept.size() > kMostTrace) kept.erase(kept.begin(), kept.end() - kMostTrace);
+        told.clear();
+    }
     told_ = std::move(*report);
     feltRevision_ = state.revision();
     standing_ = {state.pen(), printable(state.pen_holder(), kLongestName),
@@ -249,7 +272,8 @@ void RemoteSession::end() {
 
 void RemoteSession::order(Order order, bool settles) {
     const std::lock_guard lock(mutex_);
-    if (settles) settled_[order.what_case()] = order;
+    if (settles)
+        settled_[{order.what_case(), order.has_of() ? std::optional(order.of()) : std::nullopt}] = order;
     if (link_) orders_.push_back(std::move(order));
     changed_.notify_all();
 }

@@ -10,6 +10,8 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "core/port/hand_target.h"
 #include "core/protocol/connection.h"
@@ -52,7 +54,10 @@ public:
     /// The newest, and the World that it is of, null when that is none of ours. False: nothing is known of
     /// the server.
     bool read(EngineReport& report, std::shared_ptr<const World>& world);
-    bool popTrace(TracePoint& point);
+    /// Of a hand of the report.
+    bool popTrace(std::size_t hand, TracePoint& point);
+    /// Nothing that was traced of it before comes any more.
+    void dropTrace(std::size_t hand);
     std::optional<SharedScene::Arrived> arrived();
     std::optional<std::string> refused();
     std::optional<std::string> forceSaid();
@@ -84,6 +89,7 @@ private:
     void hear(std::uint64_t from, const v1::State& state);
     void sendOrders();
     void sendScenes();
+    std::optional<std::size_t> ledHand() const;
     bool isNew() const;
     bool fetch(Connection& with);
     void meet(Scene there, std::uint64_t revision);
@@ -102,13 +108,15 @@ private:
     std::string fault_;
     bool ending_ = false;
     std::deque<Order> orders_;
-    std::map<int, Order> settled_;               ///< what a new connection is told again, by its kind
+    /// What a new connection is told again, by its kind and the hand that it names, or none.
+    std::map<std::pair<int, std::optional<std::uint32_t>>, Order> settled_;
+    bool settles_ = false;                       ///< with the first state of a connection
     std::shared_ptr<const World> wanted_, done_; ///< published; sent, or refused
     std::uint64_t newestRevision_ = 0;           ///< of the server's scene, as far as it was told
     std::deque<Felt> felt_;                      ///< Worlds on their way, oldest first
     std::optional<EngineReport> told_;
     std::uint64_t feltRevision_ = 0;
-    std::deque<TracePoint> trace_;
+    std::vector<std::deque<TracePoint>> traces_; ///< of each hand
     Standing standing_;
     std::optional<SharedScene::Arrived> arrived_;
     std::optional<std::string> refusal_, forceSaid_, askedBy_;

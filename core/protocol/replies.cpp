@@ -66,7 +66,7 @@ void write(v1::SurfaceDescription* to, const Surface& surface) {
 void write(v1::State& to, const StageState& state, bool bodies) {
     to.set_time_ns(state.at);
     to.set_revision(state.revision);
-    to.set_proxy_rate(state.engine.proxy.rate);
+    to.set_proxy_rate(state.engine.world.rate);
     for (std::size_t hand = 0; hand < state.hands.size(); ++hand)
         if (hand == 0)
             writeHand(to, state.hands[hand]);

@@ -5,12 +5,13 @@
 #include "core/base/byte_stream.h"
 #include "core/base/text.h"
 #include "core/port/device_figures.h"
+#include "core/runtime/local_engine.h"
 
 namespace tactum {
 namespace {
 
 /// Another one with every change of a member below: who reads an older one would misread it.
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 constexpr std::size_t kLongestSentence = 1000;
 
 // Each function names all members of its struct: one more there does not compile here until it has its line.
@@ -80,12 +81,15 @@ template <class Io> void bytes(Io& io, BodiesState& bodies) {
     numbers(bodies.qs, bodies.q), numbers(bodies.vs, bodies.v);
 }
 
-template <class Io> void bytes(Io& io, ProxyTelemetry& proxy) {
-    auto& [output, finger, coupling] = static_cast<TouchTelemetry&>(proxy);
+template <class Io> void bytes(Io& io, TouchTelemetry& touch) {
+    auto& [output, finger, coupling] = touch;
+    bytes(io, output), io(finger);
+}
+
+template <class Io> void bytes(Io& io, WorldTelemetry& world) {
     auto& [updates, worldRevision, worldSince, rate, updateMicros, worstUpdateMicros, boundHits, squeezed,
-           passed, time, bodies, fidelity, stepsDown] = static_cast<WorldTelemetry&>(proxy);
-    bytes(io, output);
-    io(finger), io(updates), io(worldRevision), io(worldSince), io(rate), io(updateMicros);
+           passed, time, bodies, fidelity, stepsDown] = world;
+    io(updates), io(worldRevision), io(worldSince), io(rate), io(updateMicros);
     io(worstUpdateMicros), io(boundHits), io(squeezed), io(passed), io(time), io(stepsDown);
     bytes(io, bodies);
     choose(io, fidelity, std::size_t(kMinFidelity) + 1);
@@ -116,37 +120,55 @@ template <class Io> void bytes(Io& io, TracePoint& point) {
     choose(io, friction, kContactFrictions);
 }
 
-template <class Io> void bytes(Io& io, EngineReport& report) {
-    auto& [device, running, standsStill, realtime, armed, deadMan, overridesCeiling, pace, workspace,
-           publishedAfter, trouble, caution, priorityNote, proxy, servo, trace] = report;
-    std::uint32_t version = kVersion;
-    io(version);
-    io.demand(version == kVersion, "the server is of another version of Tactum");
+template <class Io> void bytes(Io& io, HandReport& hand) {
+    auto& [device, standsStill, armed, deadMan, overridesCeiling, workspace, trouble, caution, touch, servo,
+           trace] = hand;
     bytes(io, device), bytes(io, workspace);
-    io(running), io(standsStill), io(realtime), io(armed), io(deadMan), io(overridesCeiling), io(pace);
-    io(publishedAfter);
-    sentence(io, trouble), sentence(io, caution), sentence(io, priorityNote);
-    bytes(io, proxy), bytes(io, servo);
+    io(standsStill), io(armed), io(deadMan), io(overridesCeiling);
+    sentence(io, trouble), sentence(io, caution);
+    bytes(io, touch), bytes(io, servo);
     io.count(trace, 100);
     for (TracePoint& point : trace)
         bytes(io, point);
 }
 
+template <class Io> void bytes(Io& io, EngineReport& report) {
+    auto& [running, realtime, pace, publishedAfter, priorityNote, world, hands] = report;
+    std::uint32_t version = kVersion;
+    io(version);
+    io.demand(version == kVersion, "the server is of another version of Tactum");
+    io(running), io(realtime), io(pace), io(publishedAfter);
+    sentence(io, priorityNote);
+    bytes(io, world);
+    io.count(hands, 100);
+    io.demand(!hands.empty() && hands.size() <= std::size_t(kMaxHands), "there are more hands than can be");
+    for (HandReport& hand : hands)
+        bytes(io, hand);
+}
+
+void report(LocalEngine::Hand hand, HandReport& to) {
+    to.device = hand.device();
+    to.standsStill = hand.servoStandsStill(), to.armed = hand.armed(), to.deadMan = hand.deadMan();
+    to.overridesCeiling = hand.overridesCeiling();
+    to.workspace = hand.workspace();
+    to.trouble = hand.trouble(), to.caution = hand.caution();
+    to.touch = hand.touch(), to.servo = hand.servo();
+    to.trace.clear();
+    for (TracePoint point; hand.popTrace(point);)
+        to.trace.push_back(point);
+}
+
 } // namespace
 
-void report(Engine& engine, EngineReport& to) {
-    to.device = engine.device();
-    to.running = engine.running(), to.standsStill = engine.servoStandsStill();
-    to.realtime = engine.hasRealtimePriority();
-    to.armed = engine.armed(), to.deadMan = engine.deadMan(), to.overridesCeiling = engine.overridesCeiling();
+void report(LocalEngine& engine, EngineReport& to) {
+    to.running = engine.running(), to.realtime = engine.hasRealtimePriority();
     to.pace = engine.pace();
-    to.workspace = engine.workspace();
     to.publishedAfter = engine.publishedAfter();
-    to.trouble = engine.trouble(), to.caution = engine.caution(), to.priorityNote = engine.priorityNote();
-    to.proxy = engine.proxy(), to.servo = engine.servo();
-    to.trace.clear();
-    for (TracePoint point; engine.popTrace(point);)
-        to.trace.push_back(point);
+    to.priorityNote = engine.priorityNote();
+    to.world = engine.proxy();
+    to.hands.resize(engine.hands());
+    for (std::size_t hand = 0; hand < to.hands.size(); ++hand)
+        report(engine.hand(hand), to.hands[hand]);
 }
 
 std::string bytesOf(const EngineReport& report) {

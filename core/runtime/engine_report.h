@@ -8,24 +8,33 @@
 
 namespace tactum {
 
-struct EngineReport {
+class LocalEngine;
+
+/// Of one hand.
+struct HandReport {
     DeviceInfo device;
-    bool running = false, standsStill = false, realtime = false;
-    bool armed = false, deadMan = false, overridesCeiling = false;
-    double pace = 1;
+    bool standsStill = false, armed = false, deadMan = false, overridesCeiling = false;
     Workspace workspace;
-    std::uint64_t publishedAfter = 0;
-    std::string trouble, caution, priorityNote; ///< safe to print
-    ProxyTelemetry proxy;
+    std::string trouble, caution; ///< safe to print
+    TouchTelemetry touch;
     ServoTelemetry servo;
     std::vector<TracePoint> trace; ///< since the report before, oldest first
 };
 
-/// As poll() left it, and with what popTrace() gives. Thread: that of the engine's members.
-void report(Engine& engine, EngineReport& to);
+struct EngineReport {
+    bool running = false, realtime = false;
+    double pace = 1;
+    std::uint64_t publishedAfter = 0;
+    std::string priorityNote; ///< safe to print
+    WorldTelemetry world;
+    std::vector<HandReport> hands; ///< from 1 to kMaxHands
+};
 
-/// Of the same version of the program, or they are refused. What of the bodies only the next step needs is
-/// not there.
+/// As poll() left it, and with what popTrace() gives of each hand. Thread: that of the engine's members.
+void report(LocalEngine& engine, EngineReport& to);
+
+/// Of the same version of the program, or they are refused. What only the next step needs, of bodies and of
+/// what a touch pushes them with, is not there.
 std::string bytesOf(const EngineReport& report);
 /// Errors: bytes that cannot be those of a report. Whatever they name is within its bounds then. Thread of
 /// both: any but real time.

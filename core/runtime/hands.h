@@ -5,11 +5,12 @@
 
 namespace tactum {
 
+class HandsElsewhere;
 class LocalEngine;
 
-/// A view of an engine, which outlives it. Where the loops are at a server there is one hand, and no other
-/// can be added. Hands are numbered from 0; one that is removed lets those after it move up. Thread: that of
-/// the engine's members.
+/// A view of an engine, which outlives it. Where the loops are at a server its hands are those of the server,
+/// of which none can be added or taken away here. Hands are numbered from 0; one that is removed lets those
+/// after it move up. Thread: that of the engine's members.
 class Hands {
 public:
     explicit Hands(Engine& engine);
@@ -45,7 +46,8 @@ public:
 
 private:
     Engine& engine_;
-    LocalEngine* local_; ///< null: the loops are at a server
+    LocalEngine* local_;
+    HandsElsewhere* elsewhere_; ///< where the loops are at a server, and local_ is null
 };
 
 } // namespace tactum

@@ -59,9 +59,9 @@ struct StageHand {
 
 /// The newest of everything. SI, world frame.
 struct StageState {
-    std::int64_t at = 0;          ///< ns of monotonicNanoseconds()
-    std::uint64_t revision = 0;   ///< of the scene that is felt; 0: of none
-    EngineReport engine;          ///< which speaks of the first hand
+    std::int64_t at = 0;        ///< ns of monotonicNanoseconds()
+    std::uint64_t revision = 0; ///< of the scene that is felt; 0: of none
+    EngineReport engine;
     std::vector<StageHand> hands; ///< in the order of Stage::devices()
     std::vector<PlacedObject> bodies;
     std::vector<AtDetent> detents;

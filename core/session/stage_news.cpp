@@ -66,8 +66,8 @@ const Stage::Felt* Stage::feltNow(std::uint64_t worldRevision) {
 
 void Stage::fill(StageState& state) {
     report(engine_, state.engine);
-    const ProxyTelemetry& proxy = state.engine.proxy;
-    const Felt* felt = feltNow(proxy.worldRevision);
+    const WorldTelemetry& world = state.engine.world;
+    const Felt* felt = feltNow(world.worldRevision);
     state.at = monotonicNanoseconds();
     state.revision = felt ? felt->revision : 0;
     state.attending = attendance_.count();
@@ -84,7 +84,7 @@ void Stage::fill(StageState& state) {
         places_ = std::make_unique<BodyPlaces>(felt->world.get());
         placesOf_ = felt->world->revision;
     }
-    const auto places = places_->at(proxy.bodies);
+    const auto places = places_->at(world.bodies);
     state.bodies.assign(places.begin(), places.end());
     const auto detents = places_->detents();
     state.detents.assign(detents.begin(), detents.end());

@@ -3,17 +3,12 @@
 //
 // What would show that a test here is wrong: forces are those of the spring, K times depth, as the device was
 // sent them, and not as they are told.
-#include <cmath>
-
 #include <QTest>
 
-#include "core/haptics/compile.h"
-#include "core/protocol/remote_engine.h"
 #include "core/recording/player.h"
-#include "tests/core/protocol/guest.h"
+#include "tests/core/protocol/remote_window.h"
 #include "tests/core/protocol/slow_link.h"
 #include "tests/support/compare.h"
-#include "tests/support/patience.h"
 #include "tests/support/soups.h"
 #include "tests/support/test_program.h"
 
@@ -22,61 +17,10 @@ namespace test_remote_engine {
 using namespace tactum;
 using test::eventually;
 using test::Guest;
+using test::kDepth;
 using test::Served;
 using test::SlowLink;
-
-namespace {
-
-constexpr double kDepth = 1e-3;
-
-/// A window without a screen: polls, and takes what arrives.
-struct Window {
-    explicit Window(const std::string& target, const std::string& name = "window",
-                    std::shared_ptr<HandTarget> hand = nullptr)
-        : engine({.target = target, .name = name}, std::move(hand)) {}
-
-    RemoteEngine engine;
-    Scene scene;
-    std::shared_ptr<const World> world;
-    std::string refused;
-    SharedScene::Arrival why = SharedScene::Arrival::Begun;
-
-    /// Once a frame.
-    void frame() {
-        engine.poll();
-        if (auto theirs = engine.arrived()) why = theirs->why, publish(theirs->scene);
-        if (auto sentence = engine.refused()) refused = *sentence;
-    }
-    void publish(const Scene& next) {
-        auto compiled = compile(next, world.get());
-        if (!compiled) return;
-        scene = next;
-        world = std::move(*compiled);
-        engine.publish(world);
-    }
-    void setStiffness(double stiffness) {
-        Scene next = scene;
-        next.objects.at(0).surfaces.at(0).material.stiffness = stiffness;
-        publish(next);
-    }
-    template <class Holds> bool sees(Holds holds) {
-        return eventually([&] {
-            frame();
-            return holds();
-        });
-    }
-    bool felt() {
-        return sees([&] { return world && engine.proxy().worldRevision == world->revision; });
-    }
-    bool press(Served& served) {
-        engine.setArmed(true);
-        if (!sees([&] { return engine.servo().gain == 1; })) return false;
-        served.setHeight(kProxyRadius.initial - kDepth);
-        return sees([&] { return std::abs(served.push() - kStiffness.initial * kDepth) < 1e-3; });
-    }
-};
-
-} // namespace
+using test::Window;
 
 class TestRemoteEngine : public QObject {
     Q_OBJECT

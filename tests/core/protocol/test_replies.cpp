@@ -44,7 +44,7 @@ StageState everything() {
     hand.servo.ticks = 27;
     hand.servo.misses = 28;
     hand.servo.machineMisses = 29;
-    state.engine.proxy.rate = 30;
+    state.engine.world.rate = 30;
     hand.armed = true;
     hand.trouble = "unplugged";
     state.hands = {hand, hand};

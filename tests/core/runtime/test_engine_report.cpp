@@ -17,23 +17,27 @@ namespace {
 /// No value at its initial one.
 EngineReport full() {
     EngineReport report;
-    report.device.name = "Hand";
-    report.device.maxForce = 7;
-    report.device.buttons = 3;
-    report.device.real = report.device.measuresVelocity = true;
-    report.running = report.standsStill = report.realtime = true;
-    report.armed = report.deadMan = report.overridesCeiling = true;
+    report.hands.resize(2);
+    HandReport& hand = report.hands[1];
+    report.hands[0].device.name = "Beside";
+    hand.device.name = "Hand";
+    hand.device.maxForce = 7;
+    hand.device.buttons = 3;
+    hand.device.real = hand.device.measuresVelocity = true;
+    report.running = hand.standsStill = report.realtime = true;
+    hand.armed = hand.deadMan = hand.overridesCeiling = true;
     report.pace = 0.5;
-    report.workspace = {2, {3, -1, 2}, {1, 2, 3}, 4, true, {ReachMode::Rate, 0.02}, 5};
+    hand.workspace = {2, {3, -1, 2}, {1, 2, 3}, 4, true, {ReachMode::Rate, 0.02}, 5};
     report.publishedAfter = 6;
-    report.trouble = "t", report.caution = "c", report.priorityNote = "p";
-    ProxyTelemetry& proxy = report.proxy;
-    proxy.output.proxy = {1, 2, 3};
-    proxy.output.force = {4, 5, 6};
-    proxy.output.contacts = 2;
-    proxy.output.contact[1] = {{7, 8, 9}, {0, 1, 0}, 10, 11, 12, true, true, 0.5, 0.25};
-    proxy.output.report = {13, true, true, true};
-    proxy.finger = {14, 15, 16};
+    hand.trouble = "t", hand.caution = "c", report.priorityNote = "p";
+    TouchTelemetry& touch = hand.touch;
+    touch.output.proxy = {1, 2, 3};
+    touch.output.force = {4, 5, 6};
+    touch.output.contacts = 2;
+    touch.output.contact[1] = {{7, 8, 9}, {0, 1, 0}, 10, 11, 12, true, true, 0.5, 0.25};
+    touch.output.report = {13, true, true, true};
+    touch.finger = {14, 15, 16};
+    WorldTelemetry& proxy = report.world;
     proxy.updates = 17, proxy.worldRevision = 18, proxy.worldSince = 19;
     proxy.rate = 20, proxy.updateMicros = 21, proxy.worstUpdateMicros = 22;
     proxy.boundHits = 23, proxy.squeezed = 24, proxy.passed = 25, proxy.time = 26;
@@ -41,7 +45,7 @@ EngineReport full() {
     proxy.bodies.q[1] = 28, proxy.bodies.v[0] = 29;
     proxy.fidelity = Fidelity::NoShading;
     proxy.stepsDown = 30;
-    ServoTelemetry& servo = report.servo;
+    ServoTelemetry& servo = hand.servo;
     servo.finger = {31, 32, 33}, servo.force = {34, 35, 36}, servo.handle_D = {37, 38, 39};
     servo.frame = {40, {-3, 2, 1}, {41, 42, 43}};
     servo.buttons = 44, servo.ticks = 45, servo.rate = 46, servo.jitterMicros = 47, servo.misses = 48;
@@ -51,20 +55,20 @@ EngineReport full() {
     servo.heat = 56, servo.energy = 57, servo.passivityDamping = 58, servo.rendered = 59;
     servo.grasped = servo.doubted = true;
     servo.ceiling = {60, CeilingReason::Maker, 61};
-    report.trace = {{62,
-                     {1, 1, 1},
-                     {2, 2, 2},
-                     {3, 3, 3},
-                     {4, 4, 4},
-                     63,
-                     true,
-                     64,
-                     65,
-                     0.25,
-                     true,
-                     66,
-                     {2, 67, 68, ContactFriction::Slip}},
-                    {}};
+    hand.trace = {{62,
+                   {1, 1, 1},
+                   {2, 2, 2},
+                   {3, 3, 3},
+                   {4, 4, 4},
+                   63,
+                   true,
+                   64,
+                   65,
+                   0.25,
+                   true,
+                   66,
+                   {2, 67, 68, ContactFriction::Slip}},
+                  {}};
     return report;
 }
 
@@ -81,25 +85,28 @@ private slots:
         const auto read = readReport(bytes);
         VERIFY_RESULT(read);
         QCOMPARE(bytesOf(*read), bytes);
-        QCOMPARE(read->device.name, std::string("Hand"));
-        QCOMPARE(read->device.maxForce, 7.0);
-        QCOMPARE(read->workspace.axes, (AxisMap{3, -1, 2}));
-        QCOMPARE(read->workspace.reach, (Reach{ReachMode::Rate, 0.02}));
-        QCOMPARE(read->proxy.output.contact[1].staticFriction, 0.5);
-        QCOMPARE(read->proxy.output.contact[1].body, 11u);
-        QCOMPARE(read->proxy.output.report.passed, true);
-        QCOMPARE(read->proxy.bodies.q[1], 28.0);
-        QCOMPARE(read->proxy.bodies.v[0], 29.0);
-        QCOMPARE(read->proxy.stepsDown, 30u);
-        QCOMPARE(read->servo.handle_D, Vec3(37, 38, 39));
-        QCOMPARE(read->servo.periods.count[3], 50u);
-        QCOMPARE(read->servo.lastPause, InhibitReason::Stall);
-        QCOMPARE(read->servo.ceiling.damping, 61.0);
-        QCOMPARE(read->trace.size(), 2u);
-        QCOMPARE(read->trace[0].tangentialForce, 65.0);
-        QCOMPARE(read->trace[0].wanted, Vec3(4, 4, 4));
-        QCOMPARE(read->trace[0].revision, 66u);
-        QVERIFY((read->trace[0].touched == TouchedPlace{2, 67, 68, ContactFriction::Slip}));
+        QCOMPARE(read->hands.size(), 2u);
+        QCOMPARE(read->hands[0].device.name, std::string("Beside"));
+        const HandReport& hand = read->hands[1];
+        QCOMPARE(hand.device.name, std::string("Hand"));
+        QCOMPARE(hand.device.maxForce, 7.0);
+        QCOMPARE(hand.workspace.axes, (AxisMap{3, -1, 2}));
+        QCOMPARE(hand.workspace.reach, (Reach{ReachMode::Rate, 0.02}));
+        QCOMPARE(hand.touch.output.contact[1].staticFriction, 0.5);
+        QCOMPARE(hand.touch.output.contact[1].body, 11u);
+        QCOMPARE(hand.touch.output.report.passed, true);
+        QCOMPARE(read->world.bodies.q[1], 28.0);
+        QCOMPARE(read->world.bodies.v[0], 29.0);
+        QCOMPARE(read->world.stepsDown, 30u);
+        QCOMPARE(hand.servo.handle_D, Vec3(37, 38, 39));
+        QCOMPARE(hand.servo.periods.count[3], 50u);
+        QCOMPARE(hand.servo.lastPause, InhibitReason::Stall);
+        QCOMPARE(hand.servo.ceiling.damping, 61.0);
+        QCOMPARE(hand.trace.size(), 2u);
+        QCOMPARE(hand.trace[0].tangentialForce, 65.0);
+        QCOMPARE(hand.trace[0].wanted, Vec3(4, 4, 4));
+        QCOMPARE(hand.trace[0].revision, 66u);
+        QVERIFY((hand.trace[0].touched == TouchedPlace{2, 67, 68, ContactFriction::Slip}));
         QCOMPARE(read->priorityNote, std::string("p"));
     }
 
@@ -126,11 +133,14 @@ private slots:
                 changed[random() % changed.size()] = char(random());
             const auto read = readReport(changed);
             if (!read) continue;
-            const HapticOutput& output = read->proxy.output;
-            QVERIFY(output.contacts >= 0 && output.contacts <= kMaxModelPlanes);
-            QVERIFY(read->proxy.bodies.qs >= 0 && read->proxy.bodies.qs <= int(kMaxCoordinates));
-            QVERIFY(read->servo.frame.turned({1, 2, 3}).allFinite());
-            QVERIFY(std::size_t(read->servo.inhibit) < kInhibitReasons);
+            QVERIFY(!read->hands.empty() && read->hands.size() <= std::size_t(kMaxHands));
+            QVERIFY(read->world.bodies.qs >= 0 && read->world.bodies.qs <= int(kMaxCoordinates));
+            for (const HandReport& hand : read->hands) {
+                const HapticOutput& output = hand.touch.output;
+                QVERIFY(output.contacts >= 0 && output.contacts <= kMaxModelPlanes);
+                QVERIFY(hand.servo.frame.turned({1, 2, 3}).allFinite());
+                QVERIFY(std::size_t(hand.servo.inhibit) < kInhibitReasons);
+            }
         }
     }
 

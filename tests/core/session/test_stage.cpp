@@ -60,10 +60,15 @@ struct TouchedStage {
     /// The finger goes in, the force is on and all there.
     bool press() {
         if (!begin() || !stage.arm(writer.id, true)) return false;
-        return beating([&] { return state().engine.servo.gain == 1; }) && beating([&] {
+        return beating([&] { return servo().gain == 1; }) && beating([&] {
                    probe->height = kRadius - kDepth;
                    return std::abs(probe->push - kStiffness * kDepth) < 1e-3;
                });
+    }
+    /// Of the hand, once something was told.
+    ServoTelemetry servo() {
+        const StageState now = state();
+        return now.hands.empty() ? ServoTelemetry{} : now.hands[0].servo;
     }
     StageState state() {
         const std::lock_guard lock(mutex);
@@ -186,16 +191,16 @@ void TestStage::anybodyStopsTheForce() {
 void TestStage::silenceFadesTheForce() {
     TouchedStage touched;
     QVERIFY(touched.press());
-    const std::uint64_t pauses = touched.state().engine.servo.pauses;
+    const std::uint64_t pauses = touched.servo().pauses;
     const std::size_t pressed = touched.probe->log.size();
     QVERIFY(test::eventually([&] { return !touched.stage.armed() && touched.probe->push == 0; }));
     QVERIFY(!touched.stage.hasPen(touched.writer.id));
     const std::size_t gone = touched.probe->log.size();
     QVERIFY(test::eventually([&] {
-        const ServoTelemetry servo = touched.state().engine.servo;
+        const ServoTelemetry servo = touched.servo();
         return servo.inhibit == InhibitReason::NotArmed && servo.gain == 0;
     }));
-    if (touched.state().engine.servo.pauses != pauses) return;
+    if (touched.servo().pauses != pauses) return;
     const double full = kStiffness * kDepth;
     double falling = 0, silent = 0, steepest = 0, last = full;
     for (std::size_t i = pressed; i < gone; ++i) {
