@@ -71,7 +71,8 @@ int runConnected(const WindowRequest& request, const std::shared_ptr<HandTarget>
     RemoteEngine engine(std::move(settings), hand);
     const auto started = secrets ? engine.start() : Result<void>(tl::unexpected(secrets.error()));
     // As at home: a simulated hand can hurt nobody. Where another client edits, it is theirs to say.
-    if (started && engine.holdsPen() && !engine.device().real) engine.setArmed(true);
+    for (std::size_t each = 0; started && engine.holdsPen() && each < engine.hands(); ++each)
+        if (!engine.told(each).device.real) engine.setArmedOf(each, true);
     Document document;
     MainWindow window(document, engine, hand, sampleScenes());
     window.setShared(engine);

@@ -6360,6 +6360,10 @@ der Grenze rendern</translation>
             <translation>Die Anfasser liegen entlang der Achsen der Welt</translation>
         </message>
         <message>
+            <source>The hands are the server's.</source>
+            <translation>Die Hände gehören dem Server.</translation>
+        </message>
+        <message>
             <source>The haptic server %1 is not there, and the device is with it. Start it again: the window finds it by itself.</source>
             <translation>Der haptische Server %1 ist nicht da, und das Gerät mit ihm. Ihn wieder starten: Das Fenster findet ihn von selbst.</translation>
         </message>

@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -40,7 +41,7 @@ DeviceController::DeviceController(const Workbench& bench, Arming& arming, Devic
     connectLive();
     connectWorkspace();
     connect(&panel, &DevicePanel::armPressed, &arming, &Arming::set);
-    hand.setIdle(link.connected());
+    lead();
     bench.window.menuBar()->findChild<QMenu*>(QStringLiteral("Device"))->setToolTipsVisible(true);
     showSettings();
     showCommands();
@@ -67,6 +68,12 @@ void DeviceController::connectCommands() {
 
 void DeviceController::connectLink() {
     connect(&link_, &DeviceLink::exchanged, this, &DeviceController::adopt);
+    connect(&link_, &DeviceLink::handsFollowed, this, [this] {
+        settings_.resize(link_.hands().count());
+        lead();
+        showSettings();
+        showCommands();
+    });
     connect(&link_, &DeviceLink::ready, this, &DeviceController::offerReady);
     connect(&link_, &DeviceLink::failed, &bench_.notice, &NoticeBar::showError);
     connect(&link_, &DeviceLink::supplied, &bench_.notice, &NoticeBar::showNote);
@@ -185,13 +192,18 @@ void DeviceController::showPage(int page) {
     panel_.setFocus(Qt::ShortcutFocusReason);
 }
 
-/// Another device is in the engine, without force.
-void DeviceController::adopt() {
-    arming_.adoptDevice();
+/// Whether the mouse leads a hand.
+bool DeviceController::lead() {
     const auto led = link_.simulatedHand();
     hand_.setIdle(!led);
     hand_.setHand(led.value_or(0));
-    if (!led) hint_.hide(); // the mouse leads nothing
+    return led.has_value();
+}
+
+/// Another device is in the engine, without force.
+void DeviceController::adopt() {
+    arming_.adoptDevice();
+    if (!lead()) hint_.hide(); // the mouse leads nothing
     settings_.resize(link_.hands().count());
     for (std::size_t hand = 0; hand < settings_.size(); ++hand)
         apply(hand, link_.leadsItself(hand) ? rememberedSettings(link_.idOf(hand)) : DeviceSettings{});
@@ -226,6 +238,7 @@ void DeviceController::applyReach() {
 }
 
 const DeviceSettings& DeviceController::settings() const {
+    assert(link_.hands().chosen() < settings_.size());
     return settings_[link_.hands().chosen()];
 }
 
@@ -302,7 +315,10 @@ void DeviceController::showCommands() {
     const std::size_t hands = live ? link_.hands().count() : bench_.playback.player().run().hands();
     bench_.actions.allow("hand-add", live ? panel_.connecting().whyNotAdd() : shown);
     bench_.actions["hand-next"].setEnabled(hands > 1);
-    bench_.actions["hand-remove"].setEnabled(live && link_.hands().chosen() > 0);
+    const bool beside = live && link_.hands().chosen() > 0;
+    bench_.actions.allow("hand-remove", !beside                ? whyOff(QStringLiteral("hand-remove"), !live)
+                                        : link_.hasCatalogue() ? QString()
+                                                               : tr("The hands are the server's."));
     bench_.actions.allow("device-connect", panel_.connecting().whyNotConnect());
     bench_.actions.allow("device-disconnect", link_.whyNotLetGo());
     const QString whyNot =

@@ -46,6 +46,7 @@ private:
     void connectCommands();
     void connectLink();
     void connectHands();
+    bool lead();
     void connectConnecting();
     void connectLive();
     void connectWorkspace();

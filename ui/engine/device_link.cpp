@@ -55,7 +55,7 @@ private:
 
 DeviceLink::DeviceLink(Engine& engine, QObject* parent) : QObject(parent), engine_(engine), hands_(engine) {
     for (std::size_t hand = 0; hand < hands_.count(); ++hand)
-        used_.push_back({.id = hands_.device(hand).real ? QString() : kSimulatedDevice});
+        used_.push_back({.id = givenId(hand)});
     wanted_ = current();
     pool_.setMaxThreadCount(2);
     timer_.setSingleShot(true);
@@ -322,6 +322,22 @@ void DeviceLink::beginStep(const QString& step, const QString& request) {
     preparation_.request = request;
     preparation_.progress = 0;
     emit preparationChanged();
+}
+
+/// Of a device that somebody else put into the engine.
+QString DeviceLink::givenId(std::size_t hand) const {
+    return hands_.device(hand).real ? QString() : kSimulatedDevice;
+}
+
+void DeviceLink::follow() {
+    if (catalogue_) return;
+    bool other = used_.size() != hands_.count();
+    used_.resize(hands_.count());
+    for (std::size_t hand = 0; hand < used_.size(); ++hand) {
+        const QString before = std::exchange(used_[hand].id, givenId(hand));
+        other = other || before != used_[hand].id;
+    }
+    if (other) emit handsFollowed();
 }
 
 void DeviceLink::frame() {

@@ -124,6 +124,9 @@ public:
     void look();
     /// Once a frame.
     void frame();
+    /// Where the loops are at a server, hands come and go with it: once a frame, before anything asks of
+    /// them.
+    void follow();
     /// Of the hand's device, if this link put it there.
     StopSwitch& stop(std::size_t hand = 0) { return *used_[hand].stop; }
 
@@ -137,6 +140,8 @@ signals:
     void preparationChanged();
     /// The engine's device is about to go, and its recorder with it.
     void letsGo();
+    /// A server has other hands than before.
+    void handsFollowed();
     /// The engine has other devices: the forces are off and it knows nothing of the person's settings.
     void exchanged();
     /// The chosen device runs. `back`: nobody asked for it just now.
@@ -176,6 +181,7 @@ private:
     using Made = std::shared_ptr<std::unique_ptr<HapticDevice>>;
 
     static QString whyWhilePreparing();
+    QString givenId(std::size_t hand) const;
     /// The hand beside the first that has a device and cannot go on with it.
     std::optional<std::size_t> besideInTrouble(const QString& id) const;
     void list();

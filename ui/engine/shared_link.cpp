@@ -22,8 +22,8 @@ std::filesystem::path fileFor(QString place) {
 
 } // namespace
 
-SharedLink::SharedLink(Document& document, const Engine& engine, SharedScene& shared, QObject* parent)
-    : QObject(parent), document_(document), engine_(engine), shared_(shared) {}
+SharedLink::SharedLink(Document& document, Engine& engine, SharedScene& shared, QObject* parent)
+    : QObject(parent), document_(document), engine_(engine), hands_(engine), shared_(shared) {}
 
 void SharedLink::frame() {
     if (auto arrived = shared_.arrived()) take(std::move(*arrived));
@@ -38,7 +38,7 @@ void SharedLink::frame() {
                           QString::fromStdString(shared_.penHolder()),
                           QString::fromStdString(shared_.penAsker()),
                           int(shared_.attending()),
-                          engine_.armed()};
+                          hands_.anyArmed()};
     const SharedState before = std::exchange(state_, now);
     if (before != now) emit changed();
     if (!before.asker.isEmpty() && now.asker.isEmpty()) emit penNotAskedAnyMore();

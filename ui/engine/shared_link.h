@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 
+#include "core/runtime/hands.h"
 #include "core/runtime/shared_scene.h"
 
 namespace tactum {
@@ -28,7 +29,7 @@ class SharedLink : public QObject {
     Q_OBJECT
 public:
     /// All outlive it; `engine` and `shared` are two sides of one.
-    SharedLink(Document& document, const Engine& engine, SharedScene& shared, QObject* parent = nullptr);
+    SharedLink(Document& document, Engine& engine, SharedScene& shared, QObject* parent = nullptr);
 
     /// Once a frame.
     void frame();
@@ -54,6 +55,7 @@ private:
 
     Document& document_;
     const Engine& engine_;
+    const Hands hands_;
     SharedScene& shared_;
     SharedState state_;
     bool met_ = false; ///< there was a connection once

@@ -60,6 +60,7 @@ void HandList::display() {
         QToolButton& button = *rows_[hand].button;
         if (const QString text = textOf(hand); text != button.text()) button.setText(text);
         button.setChecked(hand == link_.hands().chosen());
+        if (rows_[hand].remove) rows_[hand].remove->setVisible(link_.hasCatalogue());
     }
 }
 
@@ -86,6 +87,7 @@ void HandList::addRow() {
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(button, &QToolButton::clicked, this, [this, hand] { emit handChosen(hand); });
     row->addWidget(button, 1);
+    rows_.push_back({line, button});
     if (hand > 0) { // Disconnect is for the first, which always is there
         auto* remove = new QToolButton;
         remove->setObjectName(QStringLiteral("hand-remove-%1").arg(hand));
@@ -94,9 +96,9 @@ void HandList::addRow() {
         remove->setToolTip(tr("Give this device back. The forces of all hands are off then"));
         connect(remove, &QToolButton::clicked, this, [this, hand] { emit removePressed(hand); });
         row->addWidget(remove);
+        rows_.back().remove = remove;
     }
     column_->insertWidget(int(hand), line);
-    rows_.push_back({line, button});
 }
 
 void HandList::colour() {

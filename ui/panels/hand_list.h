@@ -34,6 +34,7 @@ private:
     struct Row {
         QWidget* line;
         QToolButton* button;
+        QToolButton* remove = nullptr; ///< of the first, and where the hands are a server's: none
     };
     void addRow();
     void colour();

@@ -359,6 +359,7 @@ void MainWindow::showOpened() {
 
 void MainWindow::frame() {
     engine_.poll();
+    link_->follow();
     if (shared_) shared_->frame();
     saver_->watch(); // before a fault switches the forces off
     health_->frame();

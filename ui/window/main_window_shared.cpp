@@ -35,7 +35,6 @@ void MainWindow::connectToServer() {
 void MainWindow::setShared(SharedScene& shared) {
     shared_ = new SharedLink(document_, engine_, shared, this);
     stage_->setApart([this] { return !shared_->state().connected; });
-    hand_->setIdle(engine_.device().real); // one that leads itself
     connect(shared_, &SharedLink::changed, this, [this] {
         const SharedState& state = shared_->state();
         connection_->display(state);

@@ -10,6 +10,7 @@
 #include "core/protocol/remote_engine.h"
 #include "core/protocol/server.h"
 #include "device/simulated_hand.h"
+#include "tests/support/soups.h"
 #include "tests/support/waiting.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/base/style.h"
@@ -18,14 +19,30 @@
 
 namespace tactum::test {
 
-/// `tactum serve` with a simulated hand.
+/// A ball of 50 mm about the origin.
+inline Scene ballScene() {
+    Scene scene;
+    SceneObject object;
+    object.name = "ball";
+    object.geometry = ball(0.05, 4);
+    object.surfaces.resize(1);
+    object.surfaces[0].name = "skin";
+    scene.add(object);
+    return scene;
+}
+
+/// `tactum serve` with a simulated hand, or with two.
 struct Serving {
     std::shared_ptr<HandTarget> hand = std::make_shared<HandTarget>();
+    std::shared_ptr<HandTarget> second; ///< none: there is one
     std::unique_ptr<Stage> stage;
     std::unique_ptr<Server> server;
 
     void begin(Scene scene, std::uint16_t port = 0) {
         stage = std::make_unique<Stage>(std::make_unique<SimulatedHand>(hand), hand, std::move(scene));
+        if (second)
+            if (const auto added = stage->addHand(std::make_unique<SimulatedHand>(second), second); !added)
+                qFatal("%s", added.error().text.c_str());
         if (const auto started = stage->start(); !started) qFatal("%s", started.error().text.c_str());
         ServerSettings settings;
         settings.port = port;

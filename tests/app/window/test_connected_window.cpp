@@ -12,31 +12,16 @@
 #include "tests/app/window/connected_window.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
-#include "tests/support/soups.h"
 #include "ui/view/scene_view.h"
 #include "ui/widgets/notice_bar.h"
 
 namespace test_connected_window {
 
 using namespace tactum;
+using test::ballScene;
 using test::Connected;
 using test::Serving;
 using test::waitFor;
-
-namespace {
-
-Scene ballScene() {
-    Scene scene;
-    SceneObject object;
-    object.name = "ball";
-    object.geometry = test::ball(0.05, 4);
-    object.surfaces.resize(1);
-    object.surfaces[0].name = "skin";
-    scene.add(object);
-    return scene;
-}
-
-} // namespace
 
 class TestConnectedWindow : public QObject {
     Q_OBJECT

@@ -3,6 +3,7 @@
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "tests/ui/window/drawn_hand.h"
 #include "tests/ui/window/two_arms.h"
 #include "ui/base/hand_colours.h"
 #include "ui/controllers/command_reasons.h"
@@ -21,14 +22,8 @@ void pressH(TwoArms& two, Qt::KeyboardModifiers with) {
     QTest::keyClick(&two.program().window->view(), Qt::Key_H, with);
 }
 
-/// Whether the view draws anything of that hand: the ring before its name at least is in its very colour.
 bool isDrawn(TouchedWindow& program, std::size_t hand) {
-    const QImage picture = program.window->view().grabPicture().convertToFormat(QImage::Format_RGB32);
-    const QRgb colour = handColours(kDarkTheme, hand).finger.rgb();
-    for (int y = 0; y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x)
-            if (picture.pixel(x, y) == colour) return true;
-    return false;
+    return tactum::isDrawn(program.window->view(), hand);
 }
 
 } // namespace
