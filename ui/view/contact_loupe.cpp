@@ -96,11 +96,11 @@ QImage ContactLoupe::draw(const ViewCamera& camera, const Bounds& shown, double 
     const Coarse before = window_.coarse();
     window_.setCoarse(coarse);
     window_.drawAside([&] {
-        const int* all = window_.GetSize();
-        for (vtkRenderer* renderer : std::initializer_list<vtkRenderer*>{model_, touch_, ghost_}) {
-            renderer->SetViewport(0, 0, double(pixels.width()) / all[0], double(pixels.height()) / all[1]);
+        const std::array<int, 2> whole{window_.GetSize()[0], window_.GetSize()[1]};
+        window_.SetSize(pixels.width(), pixels.height());
+        for (vtkRenderer* renderer : std::initializer_list<vtkRenderer*>{model_, touch_, ghost_})
             renderer->Render();
-        }
+        window_.SetSize(whole[0], whole[1]);
     });
     window_.setCoarse(before);
     QImage image = picture.toImage();

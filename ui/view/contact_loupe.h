@@ -36,9 +36,8 @@ public:
 
     /// Finger, proxy, force and contacts, to be placed for the camera.
     TouchOverlay& marks() { return marks_; }
-    /// With the window's context current; `camera` from closeUp(), and no larger than the window; `shown`:
-    /// what must not be clipped away; `ratio`: device pixels to a logical one; `coarse`: as the
-    /// view in motion.
+    /// With the window's context current; `camera` from closeUp(); `shown`: what must not be clipped away;
+    /// `ratio`: device pixels to a logical one; `coarse`: as the view in motion.
     QImage draw(const ViewCamera& camera, const Bounds& shown, double ratio, Coarse coarse);
 
 private:

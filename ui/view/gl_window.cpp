@@ -58,6 +58,20 @@ void GlWindow::renderFrame() {
     drawAside([this] { Render(); });
 }
 
+void GlWindow::renderFrameAt(int left, int bottom) {
+    GLint bound = 0;
+    QOpenGLContext::currentContext()->functions()->glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    drawAside([&] {
+        Render();
+        auto* state = GetState();
+        state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(bound));
+        state->vtkglDisable(GL_SCISSOR_TEST);
+        const int *size = GetSize(), width = size[0], height = size[1];
+        BlitDisplayFramebuffer(0, 0, 0, width, height, left, bottom, width, height, GL_COLOR_BUFFER_BIT,
+                               GL_NEAREST);
+    });
+}
+
 void GlWindow::drawAside(const std::function<void()>& draw) {
     auto* state = GetState();
     state->Reset(); // Qt has changed it since the last frame

@@ -45,6 +45,9 @@ public:
     OcclusionTexture& occlusion() { return occlusion_; }
     /// Renders one frame into the framebuffer that is bound now, and leaves Qt's view of the state intact.
     void renderFrame();
+    /// The same into a part of it, which is as large as this window; from the lower left corner. For a window
+    /// that does not bring its frames there by itself.
+    void renderFrameAt(int left, int bottom);
     /// The same for what `draw` renders, in the size that it says itself.
     void drawAside(const std::function<void()>& draw);
     /// True when the current context draws on the processor.

@@ -5,6 +5,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 
+#include <vtkCamera.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLRenderWindow.h>
@@ -74,22 +75,42 @@ vtkMTimeType KeptRenderer::lastChangeOfProps() {
     return last;
 }
 
+// Not the renderer's own time: it is another one whenever cameras take turns, or windows of other shapes.
 vtkMTimeType KeptRenderer::lastChange() {
-    const vtkMTimeType last = std::max(GetMTime(), lastChangeOfProps()); // the camera's is among its own
+    const vtkMTimeType last = std::max(GetActiveCamera()->GetMTime(), lastChangeOfProps());
     return beneath_ ? std::max(last, beneath_->lastChange()) : last;
 }
 
+KeptRenderer::Background KeptRenderer::background() {
+    if (beneath_) return beneath_->background();
+    const double *low = GetBackground(), *high = GetBackground2();
+    return {low[0], low[1], low[2], high[0], high[1], high[2]};
+}
+
+KeptRenderer::Kept& KeptRenderer::keptOf(int samples, Coarse coarse) {
+    return kept_[{GetActiveCamera(), samples, coarse}];
+}
+
+void KeptRenderer::forget(const vtkCamera& camera) {
+    std::erase_if(kept_, [&](auto& each) {
+        if (std::get<0>(each.first) != &camera) return false;
+        each.second.pixels->ReleaseGraphicsResources(GetRenderWindow());
+        return true;
+    });
+}
+
 bool KeptRenderer::holds(const Kept& kept) {
-    return kept.time != 0 && kept.time == lastChange() && kept.size == sizeOf(windowOf(*this));
+    return kept.time != 0 && kept.time == lastChange() && kept.background == background() &&
+           kept.size == sizeOf(windowOf(*this));
 }
 
 void KeptRenderer::DeviceRender() {
     if (beneath_) return drawOver();
     GlWindow& window = windowOf(*this);
     const int samples = window.GetMultiSamples();
-    Kept& exact = kept_[{samples, Coarse::None}];
+    Kept& exact = keptOf(samples, Coarse::None);
     if (!holds(exact) && window.drawsCoarse()) {
-        Kept& coarse = kept_[{samples, window.coarse()}];
+        Kept& coarse = keptOf(samples, window.coarse());
         if (!holds(coarse)) return draw(coarse);
         if (std::chrono::steady_clock::now() - coarse.since < kSettles) return putBack(coarse);
     }
@@ -102,7 +123,7 @@ void KeptRenderer::DeviceRender() {
 void KeptRenderer::drawOver() {
     if (VisibleActorCount() == 0) return; // nothing is added to what lies beneath
     GlWindow& window = windowOf(*this);
-    Kept& kept = kept_[{window.GetMultiSamples(), window.coarse()}];
+    Kept& kept = keptOf(window.GetMultiSamples(), window.coarse());
     holds(kept) ? putBack(kept) : draw(kept);
 }
 
@@ -138,6 +159,7 @@ void KeptRenderer::keep(Kept& kept) {
         window.GetState()->PopFramebufferBindings();
         kept.size = size;
     }
+    kept.background = background();
     // What drawing itself brought up to date is in the picture.
     kept.time = copy(window, *window.GetRenderFramebuffer(), *kept.pixels) ? lastChange() : 0;
 }

@@ -4,7 +4,7 @@
 #include <array>
 #include <chrono>
 #include <map>
-#include <utility>
+#include <tuple>
 
 #include <vtkNew.h>
 #include <vtkOpenGLRenderer.h>
@@ -20,7 +20,8 @@ namespace tactum {
 /// until its camera, its background, its list of props, one of them with all that VTK gives a time (place,
 /// property, texture, mapper, data), the window's size or its number of samples changes. So it holds for
 /// everything that VTK would draw anew by itself; a uniform of a shader has no such time. One picture for
-/// each number of samples: one that moves and one that rests take turns. In a window that draws coarsely the
+/// each camera and number of samples: several views take turns, and so do a picture that moves and one that
+/// rests. In a window that draws coarsely the
 /// exact picture is put back as long as it holds, and drawn again when nothing but the touch has changed for
 /// a moment. For layer 0 of a GlWindow, or over another one.
 /// Thread: ui.
@@ -45,21 +46,28 @@ public:
         for (auto& [how, kept] : kept_)
             kept.time = 0;
     }
+    /// What is kept of it is not needed any more; with the window's context current.
+    void forget(const vtkCamera& camera);
     /// How many pictures were drawn, and not put back.
     int drawn() const { return drawn_; }
     /// What drawing took where the processor draws.
     PictureBudget& budget() { return budget_; }
 
 private:
+    using Background = std::array<double, 6>;              ///< below and above
+    using How = std::tuple<const vtkCamera*, int, Coarse>; ///< the number is that of samples
     struct Kept {
         vtkNew<vtkOpenGLFramebufferObject> pixels;
         std::array<int, 2> size{};
+        Background background{};
         vtkMTimeType time = 0;                       ///< of the last change that is in it; 0: none is
         std::chrono::steady_clock::time_point since; ///< when it was drawn
     };
 
     vtkMTimeType lastChangeOfProps();
     vtkMTimeType lastChange();
+    Background background();
+    Kept& keptOf(int samples, Coarse coarse);
     bool holds(const Kept& kept);
     void drawOver();
     void draw(Kept& kept);
@@ -68,7 +76,7 @@ private:
     void putBack(Kept& kept);
 
     KeptRenderer* beneath_ = nullptr;
-    std::map<std::pair<int, Coarse>, Kept> kept_; ///< by samples
+    std::map<How, Kept> kept_;
     PictureBudget budget_;
     vtkMTimeType drawnWith_ = 0; ///< the last change of a prop when the exact model was drawn last
     int drawn_ = 0;

@@ -102,64 +102,76 @@ void OutlinePass::Render(const vtkRenderState* state) {
     NumberOfRenderedProps = 0;
     auto* renderer = state->GetRenderer();
     if (renderer->VisibleActorCount() == 0) return;
+    Mask& mask = masks_[renderer->GetActiveCamera()];
     std::array<int, 2> size{};
     renderer->GetTiledSize(&size[0], &size[1]);
-    if (size != size_) maskTime_ = 0;
-    size_ = size;
+    if (size != mask.size) mask.time = 0;
+    mask.size = size;
     auto* window = static_cast<GlWindow*>(renderer->GetRenderWindow());
     const bool coarse = window->drawsCoarse();
-    if (const vtkMTimeType now = lastChange(*renderer); now != maskTime_ || coarse != coarse_) {
-        renderMask(state, window);
-        maskTime_ = now;
-        coarse_ = coarse;
+    if (const vtkMTimeType now = lastChange(*renderer); now != mask.time || coarse != mask.coarse) {
+        renderMask(mask, state, window);
+        mask.time = now;
+        mask.coarse = coarse;
     }
-    drawEdge(window, screenBox(*renderer, size_, int(width_) + 2));
+    drawEdge(mask, window, screenBox(*renderer, size, int(width_) + 2));
 }
 
-void OutlinePass::renderMask(const vtkRenderState* state, vtkOpenGLRenderWindow* window) {
-    if (!mask_) {
-        framebuffer_ = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
-        framebuffer_->SetContext(window);
-        mask_ = vtkSmartPointer<vtkTextureObject>::New();
-        mask_->SetContext(window);
-        mask_->SetMinificationFilter(vtkTextureObject::Linear);
-        mask_->SetMagnificationFilter(vtkTextureObject::Linear);
+void OutlinePass::renderMask(Mask& mask, const vtkRenderState* state, vtkOpenGLRenderWindow* window) {
+    if (!mask.pixels) {
+        mask.framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+        mask.framebuffer->SetContext(window);
+        mask.pixels = vtkSmartPointer<vtkTextureObject>::New();
+        mask.pixels->SetContext(window);
+        mask.pixels->SetMinificationFilter(vtkTextureObject::Linear);
+        mask.pixels->SetMagnificationFilter(vtkTextureObject::Linear);
     }
-    if (int(mask_->GetWidth()) != size_[0] || int(mask_->GetHeight()) != size_[1])
-        mask_->Create2D(size_[0], size_[1], 4, VTK_UNSIGNED_CHAR, false);
+    const auto [width, height] = mask.size;
+    if (int(mask.pixels->GetWidth()) != width || int(mask.pixels->GetHeight()) != height)
+        mask.pixels->Create2D(width, height, 4, VTK_UNSIGNED_CHAR, false);
     window->GetState()->PushFramebufferBindings();
-    RenderDelegate(state, size_[0], size_[1], size_[0], size_[1], framebuffer_, mask_);
+    RenderDelegate(state, width, height, width, height, mask.framebuffer, mask.pixels);
     window->GetState()->PopFramebufferBindings();
 }
 
-void OutlinePass::drawEdge(vtkOpenGLRenderWindow* window, const std::array<int, 4>& box) {
+void OutlinePass::drawEdge(const Mask& mask, vtkOpenGLRenderWindow* window, const std::array<int, 4>& box) {
     auto* state = window->GetState();
     vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
     vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglEnable(GL_BLEND);
-    state->vtkglViewport(0, 0, size_[0], size_[1]);
+    state->vtkglViewport(0, 0, mask.size[0], mask.size[1]);
     state->vtkglScissor(box[0], box[1], box[2], box[3]);
     if (!quad_) quad_ = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, kEdgeShader, nullptr);
     window->GetShaderCache()->ReadyShaderProgram(quad_->Program);
-    mask_->Activate();
-    const float reach[2] = {width_ / float(size_[0]), width_ / float(size_[1])};
+    mask.pixels->Activate();
+    const float reach[2] = {width_ / float(mask.size[0]), width_ / float(mask.size[1])};
     const float colour[3] = {float(colour_.redF()), float(colour_.greenF()), float(colour_.blueF())};
-    quad_->Program->SetUniformi("mask", mask_->GetTextureUnit());
+    quad_->Program->SetUniformi("mask", mask.pixels->GetTextureUnit());
     quad_->Program->SetUniform2f("reach", reach);
     quad_->Program->SetUniform3f("colour", colour);
     quad_->Render();
-    mask_->Deactivate();
+    mask.pixels->Deactivate();
+}
+
+void OutlinePass::Mask::release(vtkWindow* window) {
+    if (framebuffer) framebuffer->ReleaseGraphicsResources(window);
+    if (pixels) pixels->ReleaseGraphicsResources(window);
+}
+
+void OutlinePass::forget(const vtkCamera& camera, vtkWindow* window) {
+    const auto it = masks_.find(&camera);
+    if (it == masks_.end()) return;
+    it->second.release(window);
+    masks_.erase(it);
 }
 
 void OutlinePass::ReleaseGraphicsResources(vtkWindow* window) {
     Superclass::ReleaseGraphicsResources(window);
     quad_.reset();
-    if (framebuffer_) framebuffer_->ReleaseGraphicsResources(window);
-    if (mask_) mask_->ReleaseGraphicsResources(window);
-    framebuffer_ = nullptr;
-    mask_ = nullptr;
-    maskTime_ = 0;
+    for (auto& [camera, mask] : masks_)
+        mask.release(window);
+    masks_.clear();
 }
 
 } // namespace tactum

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 
 #include <QColor>
@@ -12,6 +13,7 @@
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
+class vtkCamera;
 class vtkTextureObject;
 
 namespace tactum {
@@ -30,7 +32,12 @@ public:
     void setWidth(float pixels) { width_ = pixels; }
 
     /// The next outline is that of a new mask.
-    void forget() { maskTime_ = 0; }
+    void forget() {
+        for (auto& [camera, mask] : masks_)
+            mask.time = 0;
+    }
+    /// The mask of that camera is not needed any more; with the window's context current.
+    void forget(const vtkCamera& camera, vtkWindow* window);
 
     void Render(const vtkRenderState* state) override;
     void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -40,16 +47,22 @@ protected:
     ~OutlinePass() override;
 
 private:
-    void renderMask(const vtkRenderState* state, vtkOpenGLRenderWindow* window);
-    void drawEdge(vtkOpenGLRenderWindow* window, const std::array<int, 4>& box);
+    /// Kept while neither its camera nor the actors change.
+    struct Mask {
+        void release(vtkWindow* window);
 
-    std::array<int, 2> size_{};
-    vtkMTimeType maskTime_ = 0; ///< the mask is kept while neither camera nor actors change
-    bool coarse_ = false;       ///< it is that of coarser meshes
+        std::array<int, 2> size{};
+        vtkMTimeType time = 0;
+        bool coarse = false; ///< it is that of coarser meshes
+        vtkSmartPointer<vtkOpenGLFramebufferObject> framebuffer;
+        vtkSmartPointer<vtkTextureObject> pixels;
+    };
+    void renderMask(Mask& mask, const vtkRenderState* state, vtkOpenGLRenderWindow* window);
+    void drawEdge(const Mask& mask, vtkOpenGLRenderWindow* window, const std::array<int, 4>& box);
+
+    std::map<const vtkCamera*, Mask> masks_;
     QColor colour_;
     float width_ = 2;
-    vtkSmartPointer<vtkOpenGLFramebufferObject> framebuffer_;
-    vtkSmartPointer<vtkTextureObject> mask_;
     std::unique_ptr<vtkOpenGLQuadHelper> quad_;
 };
 

@@ -11,8 +11,8 @@ void PictureBudget::took(double seconds, bool sampled) {
     plain_ = sampled ? seconds / kSampledCosts : seconds;
 }
 
-PictureQuality PictureBudget::atRest() const {
-    const bool affordsSamples = plain_ && kSampledCosts * *plain_ <= limits_.rest;
+PictureQuality PictureBudget::atRest(std::size_t pictures) const {
+    const bool affordsSamples = plain_ && kSampledCosts * double(pictures) * *plain_ <= limits_.rest;
     return affordsSamples ? PictureQuality::Sampled : PictureQuality::Smoothed;
 }
 

@@ -30,9 +30,12 @@ public:
 
     bool known() const { return plain_.has_value(); }
     /// Without samples as long as nothing is known: no model may hold the window to find out.
-    PictureQuality atRest() const;
+    /// `pictures`: how many of them a frame has.
+    PictureQuality atRest(std::size_t pictures = 1) const;
     /// Whether the exact model is quick enough for what moves; false as long as nothing is known.
-    bool affordsMotion() const { return plain_ && *plain_ <= limits_.motion; }
+    bool affordsMotion(std::size_t pictures = 1) const {
+        return plain_ && double(pictures) * *plain_ <= limits_.motion;
+    }
 
 private:
     PictureLimits limits_;

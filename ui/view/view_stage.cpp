@@ -20,11 +20,10 @@ namespace {
 
 constexpr double kStageDegree = std::numbers::pi / 180;
 
-void addLayer(vtkRenderWindow& window, vtkRenderer& renderer, vtkCamera* camera) {
+void addLayer(vtkRenderWindow& window, vtkRenderer& renderer) {
     const int layer = window.GetRenderers()->GetNumberOfItems();
     window.SetNumberOfLayers(layer + 1);
     renderer.SetLayer(layer);
-    renderer.SetActiveCamera(camera);
     window.AddRenderer(&renderer);
 }
 
@@ -39,10 +38,11 @@ ViewCamera defaultCamera() {
 }
 
 ViewStage::ViewStage(vtkRenderWindow& window) : window_(window) {
-    vtkNew<vtkCamera> shared;
     const std::initializer_list<vtkRenderer*> layers{solid, chosen, touch, outline_, ghost};
     for (vtkRenderer* renderer : layers)
-        addLayer(window, *renderer, shared);
+        addLayer(window, *renderer);
+    setCameras(1);
+    lookThrough(0);
     chosen->setBeneath(*solid);
     for (vtkRenderer* renderer : {static_cast<vtkRenderer*>(chosen), touch.Get()})
         renderer->SetPreserveDepthBuffer(true); // the model hides what is behind it
@@ -99,7 +99,26 @@ void ViewStage::cutOpen(vtkRenderer& renderer) {
             mapper->SetClippingPlanes(section_.Get());
 }
 
-void ViewStage::look(const ViewCamera& camera, const Bounds& shown) {
+void ViewStage::setCameras(std::size_t count) {
+    for (std::size_t i = count; i < cameras_.size(); ++i) {
+        solid->forget(*cameras_[i]);
+        chosen->forget(*cameras_[i]);
+        outlinePass_->forget(*cameras_[i], &window_);
+    }
+    if (count < cameras_.size()) lookThrough(0);
+    const std::size_t before = cameras_.size();
+    cameras_.resize(count);
+    for (std::size_t i = before; i < count; ++i)
+        cameras_[i] = vtkSmartPointer<vtkCamera>::New();
+}
+
+void ViewStage::lookThrough(std::size_t which) {
+    for (vtkRenderer* renderer : std::initializer_list<vtkRenderer*>{solid, chosen, touch, outline_, ghost})
+        renderer->SetActiveCamera(cameras_[which]);
+}
+
+void ViewStage::look(const ViewCamera& camera, const Bounds& shown, std::size_t which) {
+    lookThrough(which);
     for (vtkRenderer* renderer :
          std::initializer_list<vtkRenderer*>{solid, chosen, touch, outline_}) // their layers may be new
         cutOpen(*renderer);

@@ -30,9 +30,10 @@ ViewCamera defaultCamera();
 /// Sets VTK's camera, its clipping planes such that the box is held with as much depth as that allows.
 void aim(vtkCamera& to, const ViewCamera& camera, const Bounds& shown);
 
-/// Five renderers of one camera in a window: the model and what is laid over it, and what of it is selected,
-/// whose pictures are kept while they stay the same; what moves among it when it is touched; outlines over
-/// both; and the dimmed copies of what may be inside it. Takes them out of the window again. Thread: ui.
+/// Five renderers of a window, which look through one of several cameras in turn: the model and what is laid
+/// over it, and what of it is selected, whose pictures are kept while they stay the same; what moves among it
+/// when it is touched; outlines over both; and the dimmed copies of what may be inside it. Takes them out of
+/// the window again. Thread: ui.
 class ViewStage {
 public:
     explicit ViewStage(vtkRenderWindow& window);
@@ -49,8 +50,11 @@ public:
     void setSection(const std::optional<SectionPlane>& plane);
     /// Draws one outline around these actors.
     void setOutlined(const std::vector<vtkSmartPointer<vtkActor>>& actors);
-    /// Aims the camera of all layers.
-    void look(const ViewCamera& camera, const Bounds& shown);
+    /// How many cameras take turns, at first one. What is kept of those that go is given back; with the
+    /// window's context current, if it has one.
+    void setCameras(std::size_t count);
+    /// All layers look through one of the cameras, which is aimed.
+    void look(const ViewCamera& camera, const Bounds& shown, std::size_t which = 0);
 
     vtkNew<KeptRenderer> solid, chosen;
     vtkNew<vtkRenderer> touch;
@@ -58,8 +62,10 @@ public:
 
 private:
     void cutOpen(vtkRenderer& renderer);
+    void lookThrough(std::size_t which);
 
     vtkRenderWindow& window_;
+    std::vector<vtkSmartPointer<vtkCamera>> cameras_;
     vtkNew<vtkPlane> plane_;
     vtkNew<vtkPlaneCollection> section_; ///< empty: there is none
     vtkNew<vtkRenderer> outline_;

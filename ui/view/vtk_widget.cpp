@@ -1,5 +1,7 @@
 #include "ui/view/vtk_widget.h"
 
+#include <algorithm>
+
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QTimer>
@@ -33,7 +35,7 @@ VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent), impl_(std::make_u
                            [this] { return context() && QOpenGLContext::currentContext() == context(); });
     impl_->window->SetForceMaximumHardwareLineWidth(1); // wide lines are drawn by a shader: core profile
     impl_->window->SetOwnContext(false);
-    impl_->window->SetFrameBlitModeToBlitToCurrent();
+    impl_->window->SetFrameBlitModeToNoBlit();
     impl_->rest.setSingleShot(true);
     impl_->rest.setInterval(kRestMilliseconds);
     connect(&impl_->rest, &QTimer::timeout, this, [this] {
@@ -107,14 +109,25 @@ void VtkWidget::paintGL() {
 void VtkWidget::paint(PictureQuality quality) {
     impl_->quality = quality;
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1});
-    impl_->window->SetSize(pixels.width(), pixels.height());
     impl_->window->SetDPI(int(72 * devicePixelRatioF()));
     impl_->window->SetMultiSamples(quality == PictureQuality::Sampled ? kSamples : 0);
+    const std::vector<QRect> places = pictures();
     prepareFrame();
-    impl_->window->renderFrame();
+    for (std::size_t i = 0; i < places.size(); ++i)
+        paintPicture(i, places[i], pixels.height());
     makeOpaque();
     paintOver();
     if (impl_->taker) givePicture(pixels);
+}
+
+// Between whole device pixels: pictures that meet do so without a gap.
+void VtkWidget::paintPicture(std::size_t number, const QRect& place, int height) {
+    const auto pixel = [this](int logical) { return qRound(logical * devicePixelRatioF()); };
+    const int left = pixel(place.x()), top = pixel(place.y());
+    const int right = pixel(place.x() + place.width()), bottom = pixel(place.y() + place.height());
+    impl_->window->SetSize(std::max(1, right - left), std::max(1, bottom - top));
+    preparePicture(number);
+    impl_->window->renderFrameAt(left, height - bottom);
 }
 
 void VtkWidget::takeNextPicture(std::function<void(const QImage&)> take) {

@@ -3,9 +3,11 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include <QImage>
 #include <QOpenGLWidget>
+#include <QRect>
 
 #include "ui/view/picture_budget.h"
 
@@ -39,8 +41,13 @@ protected:
     /// How well a picture at rest is drawn where the processor draws; asked before such a picture, and again
     /// after it: another answer brings another picture.
     virtual PictureQuality atRest() const { return PictureQuality::Sampled; }
+    /// The pictures that a frame is made of, in logical pixels; one that fills it where nobody says
+    /// otherwise.
+    virtual std::vector<QRect> pictures() { return {rect()}; }
     /// Brings everything that is drawn up to date; called before each frame, with the context current.
     virtual void prepareFrame() {}
+    /// What one of the pictures alone shows; called before each of them.
+    virtual void preparePicture(std::size_t) {}
     /// Draws on top with QPainter; called after each frame.
     virtual void paintOver() {}
     /// Asks for a frame because what it shows has changed.
@@ -55,6 +62,7 @@ protected:
 private:
     void releaseContext();
     void paint(PictureQuality quality);
+    void paintPicture(std::size_t number, const QRect& place, int height);
     void makeOpaque();
     void givePicture(const QSize& pixels);
 
