@@ -512,6 +512,10 @@
             <translation>%1 oder was damit verbunden ist, ist gesperrt; Oberfläche &gt; Sperren entsperrt es.</translation>
         </message>
         <message>
+            <source>%1, parallel</source>
+            <translation>%1, parallel</translation>
+        </message>
+        <message>
             <source>%1, slider</source>
             <translation>%1, Regler</translation>
         </message>
@@ -744,6 +748,10 @@
             <translation>&amp;Kräfte an</translation>
         </message>
         <message>
+            <source>&amp;Four</source>
+            <translation>&amp;Vier</translation>
+        </message>
+        <message>
             <source>&amp;Frame all</source>
             <translation>&amp;Alles zeigen</translation>
         </message>
@@ -900,6 +908,10 @@
             <translation>N&amp;ichts</translation>
         </message>
         <message>
+            <source>&amp;One view</source>
+            <translation>&amp;Eine Ansicht</translation>
+        </message>
+        <message>
             <source>&amp;Open a study...</source>
             <translation>Studie ö&amp;ffnen...</translation>
         </message>
@@ -1044,6 +1056,10 @@
             <translation>Ku&amp;gelbaum</translation>
         </message>
         <message>
+            <source>&amp;Split</source>
+            <translation>G&amp;eteilte Ansicht</translation>
+        </message>
+        <message>
             <source>&amp;Spring to the centre</source>
             <translation>&amp;Feder zur Mitte</translation>
         </message>
@@ -1094,6 +1110,10 @@
         <message>
             <source>&amp;Trail of the proxy</source>
             <translation>&amp;Spur des Proxys</translation>
+        </message>
+        <message>
+            <source>&amp;Two side by side</source>
+            <translation>&amp;Zwei nebeneinander</translation>
         </message>
         <message>
             <source>&amp;Undo</source>
@@ -2034,6 +2054,10 @@
         <message>
             <source>Both touches were written to %1.</source>
             <translation>Beide Berührungen wurden nach %1 geschrieben.</translation>
+        </message>
+        <message>
+            <source>Bottom</source>
+            <translation>Unten</translation>
         </message>
         <message>
             <source>Box</source>
@@ -2980,6 +3004,10 @@
             <translation>Liste leeren</translation>
         </message>
         <message>
+            <source>Four views, from above, your own, from the front and from the right; again for one view</source>
+            <translation>Vier Ansichten, von oben, die eigene, von vorn und von rechts; noch einmal für eine Ansicht</translation>
+        </message>
+        <message>
             <source>Frees a proxy that is on the wrong side of a surface</source>
             <translation>Befreit einen Proxy, der auf der falschen Seite einer Oberfläche ist</translation>
         </message>
@@ -3713,6 +3741,10 @@
         <message>
             <source>Leave the axes as they were</source>
             <translation>Achsen lassen, wie sie waren</translation>
+        </message>
+        <message>
+            <source>Left</source>
+            <translation>Links</translation>
         </message>
         <message>
             <source>Left out:</source>
@@ -4687,6 +4719,10 @@
             <translation>Eigene Zwangsebene</translation>
         </message>
         <message>
+            <source>Own view</source>
+            <translation>Eigene Ansicht</translation>
+        </message>
+        <message>
             <source>P&amp;late</source>
             <translation>&amp;Platte</translation>
         </message>
@@ -5207,6 +5243,10 @@ der Grenze rendern</translation>
         <message>
             <source>Rests at</source>
             <translation>Ruht bei</translation>
+        </message>
+        <message>
+            <source>Right</source>
+            <translation>Rechts</translation>
         </message>
         <message>
             <source>Right answers to go down</source>
@@ -6992,6 +7032,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Werkzeuge, für die kein Platz ist</translation>
         </message>
         <message>
+            <source>Top</source>
+            <translation>Oben</translation>
+        </message>
+        <message>
             <source>Torque against each radian a second.</source>
             <translation>Drehmoment gegen jeden Radiant je Sekunde.</translation>
         </message>
@@ -7114,6 +7158,18 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Two intervals: one has the reference</source>
             <translation>Zwei Intervalle: eines hat die Referenz</translation>
+        </message>
+        <message>
+            <source>Two one &amp;above the other</source>
+            <translation>Zwei ü&amp;bereinander</translation>
+        </message>
+        <message>
+            <source>Two views one above the other, your own and one from the right; again for one view</source>
+            <translation>Zwei Ansichten übereinander, die eigene und eine von rechts; noch einmal für eine Ansicht</translation>
+        </message>
+        <message>
+            <source>Two views side by side, your own and one from the right; again for one view</source>
+            <translation>Zwei Ansichten nebeneinander, die eigene und eine von rechts; noch einmal für eine Ansicht</translation>
         </message>
         <message>
             <source>Two ways of the handle are read along one axis: an encoder or its cable is broken, or the ruler lay askew.</source>
@@ -7638,6 +7694,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Your own</source>
             <translation>Eigene</translation>
+        </message>
+        <message>
+            <source>Your own view alone</source>
+            <translation>Die eigene Ansicht allein</translation>
         </message>
         <message>
             <source>Z</source>

@@ -77,7 +77,8 @@ std::vector<CamerasMenu::Verb> CamerasMenu::verbs() {
 void CamerasMenu::show(const QString& name) {
     const SavedCamera* saved = findCamera(bench_.document.scene(), name.toStdString());
     if (!saved) return;
-    bench_.actions["parallel"].setChecked(saved->parallel); // the view follows it
+    // The view follows it, but for a plan.
+    if (!bench_.view.showsPlan()) bench_.actions["parallel"].setChecked(saved->parallel);
     bench_.view.flyTo(viewOf(*saved, bench_.view.camera()));
 }
 

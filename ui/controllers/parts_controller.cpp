@@ -87,7 +87,7 @@ bool isInPicture(const SceneView& view, const Bounds& box) {
         const Vec3 corner((i & 1 ? box.high : box.low).x(), (i & 2 ? box.high : box.low).y(),
                           (i & 4 ? box.high : box.low).z());
         const auto at = view.camera().project(corner);
-        if (!at || !QRectF(view.rect()).contains(*at)) return false;
+        if (!at || !QRectF({0, 0}, view.camera().size).contains(*at)) return false;
     }
     return true;
 }
@@ -173,7 +173,7 @@ void PartsController::showAdded(const SceneAddition& addition) {
         bench_.notice.showNote(sentence);
     const bool alone = bench_.document.scene().objects.size() == addition.objects.size();
     if (alone || !isInPicture(bench_.view, boundsOf(bench_.document.scene(), addition.objects)))
-        bench_.view.fit();
+        bench_.view.fitAll();
     if (alone || !grabbed_) hand_.placeBeside(); // not inside of what came
     bench_.view.setFocus();
 }

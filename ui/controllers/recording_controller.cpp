@@ -125,7 +125,7 @@ void RecordingController::begin() {
     bench_.window.setWindowModified(false); // a recording is never edited
     bench_.window.setWindowTitle(tr("%1 - Tactum").arg(QFileInfo(bench_.playback.file()).fileName()));
     emit shown();
-    bench_.view.fit();
+    bench_.view.fitAll();
     bench_.view.setFocus();
 }
 

@@ -25,14 +25,14 @@ void Stage::showOther(const Scene& scene) {
     view_.setScene(scene);
     view_.setProxyRadius(scene.proxyRadius);
     showView();
-    view_.fit();
+    view_.fitAll();
 }
 
 void Stage::showOwn() {
     view_.setScene(document_.scene());
     view_.setProxyRadius(document_.scene().proxyRadius);
     view_.setSelection(document_.selected());
-    if (!document_.empty()) view_.fit();
+    if (!document_.empty()) view_.fitAll();
     showCentre();
 }
 

@@ -6,6 +6,8 @@
 #include <QImage>
 #include <QPainter>
 
+#include "ui/view/free_corner.h"
+
 namespace tactum {
 
 namespace {
@@ -55,16 +57,7 @@ void drawEnd(QPainter& painter, const AxisEnd& end, const Theme& theme) {
 
 QRectF axesPlace(QSizeF view, const QRegion& covered) {
     const QRectF corner(view.width() - kSide - kAxesCorner, kAxesCorner, kSide, kSide);
-    QRectF place = corner;
-    while (place.bottom() <= view.height()) {
-        double top = place.top();
-        for (const QRect& part : covered) // what begins lower makes room itself, as the loupe does
-            if (QRectF(part).intersects(place) && part.top() < place.center().y())
-                top = std::max(top, QRectF(part).bottom() + kAxesCorner);
-        if (top == place.top()) return place;
-        place.moveTop(top);
-    }
-    return corner;
+    return belowCovers(corner, view.height(), covered);
 }
 
 void drawAxes(QPainter& painter, const ViewCamera& camera, const Theme& theme, const QRegion& covered) {

@@ -77,12 +77,15 @@ bool FeltView::takeFinished() {
     return surfaces_.takeFinished() || spheres || normals;
 }
 
-void FeltView::update(const TouchState* touch, const ViewCamera& camera, double ratio) {
+void FeltView::lookFrom(const ViewCamera& camera, const TouchState* touch) {
     cone_.setVisible(options_.cone && touch);
     if (touch) cone_.update(*touch, camera);
+}
+
+void FeltView::update(double pixel, double ratio) {
     trail_.update(ratio);
     normals_.setWidth(kNeedleWidth * ratio);
-    surfaces_.setPixel(camera.pixelSize(camera.focus) / ratio);
+    surfaces_.setPixel(pixel);
     if (!world_) return;
     for (const WorldBody& body : world_->bodies) {
         vtkMatrix4x4* matrix = model_.matrixOf(body.object);

@@ -40,8 +40,10 @@ public:
     bool pending() const { return spheres_.pending() || normals_.pending() || surfaces_.pending(); }
     bool takeFinished();
 
-    /// Places everything for a frame. `touch` is null where none is shown.
-    void update(const TouchState* touch, const ViewCamera& camera, double ratio);
+    /// Places everything for a frame. `pixel`: a device pixel of the finest of its pictures, m.
+    void update(double pixel, double ratio);
+    /// What is drawn for one of the pictures. `touch` is null where none is shown.
+    void lookFrom(const ViewCamera& camera, const TouchState* touch);
     /// What a surface of this mesh is drawn as now; null: as itself.
     std::shared_ptr<const FeltMesh> shapeOf(ObjectId object, const TriangleSoup* soup, Index surface) {
         return surfaces_.shapeOf(object, soup, surface);

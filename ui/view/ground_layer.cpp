@@ -2,9 +2,11 @@
 
 #include <cmath>
 
+#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -16,12 +18,15 @@
 
 namespace tactum {
 
+vtkStandardNewMacro(GroundLayer::Sheet);
+
 namespace {
 
 /// A scene lower than this part of its width is a plate in the ground.
 constexpr double kFlat = 0.03;
-constexpr double kReach = 1.1; ///< of the grid about its middle, in sides of the shadow's square
-constexpr int kPieces = 24;    ///< of a line, between which it fades
+constexpr double kReach = 1.1;  ///< of the grid about its middle, in sides of the shadow's square
+constexpr double kSlant = 1e-3; ///< of parallel rays: less is from the side
+constexpr int kPieces = 24;     ///< of a line, between which it fades
 constexpr double kLine = 26, kTenthLine = 60; ///< opacity in the middle, of 255
 
 vtkSmartPointer<vtkTexture> textureOf(const GroundShadow& ground) {
@@ -107,6 +112,11 @@ private:
     vtkNew<vtkUnsignedCharArray> colours_;
 };
 
+/// By an eye so high over it, m, that looks down by so much.
+bool isSeenFrom(double over, double down, bool parallel) {
+    return over > 0 && (!parallel || down > kSlant);
+}
+
 void lieOnTheGround(vtkActor& actor, vtkPolyDataMapper& mapper, vtkRenderer& renderer) {
     actor.SetMapper(&mapper);
     actor.PickableOff();
@@ -158,7 +168,11 @@ void GroundLayer::show() {
     const Bounds& box = ground_.casters;
     const double width = ground_.side, height = box.empty() ? 0 : box.high.y() - box.low.y();
     step_ = 0;
-    if (height <= kFlat * width) return;
+    if (height > kFlat * width) layOut(width);
+    showSheets();
+}
+
+void GroundLayer::layOut(double width) {
     step_ = gridStep(width);
     shadowMapper_->SetInputData(squareOf(ground_));
     shadow_->SetTexture(textureOf(ground_));
@@ -172,15 +186,32 @@ void GroundLayer::drawGrid() {
     gridMapper_->SetInputData(lines.take());
 }
 
-void GroundLayer::see(const Vec3& eye_W) {
-    seen_ = shown_ && step_ > 0 && eye_W.y() > ground_.corner.y();
-    shadow_->SetVisibility(seen_);
-    grid_->SetVisibility(seen_);
+void GroundLayer::setShown(bool shown) {
+    shown_ = shown;
+    showSheets();
 }
 
-Bounds GroundLayer::bounds() const {
+void GroundLayer::showSheets() {
+    for (vtkActor* sheet : {shadow_.Get(), grid_.Get()})
+        sheet->SetVisibility(shown_ && step_ > 0);
+}
+
+int GroundLayer::Sheet::RenderTranslucentPolygonalGeometry(vtkViewport* viewport) {
+    auto& camera = *vtkRenderer::SafeDownCast(viewport)->GetActiveCamera();
+    const double down = -camera.GetDirectionOfProjection()[1],
+                 over = camera.GetPosition()[1] - GetBounds()[2];
+    if (!isSeenFrom(over, down, camera.GetParallelProjection())) return 0;
+    return Superclass::RenderTranslucentPolygonalGeometry(viewport);
+}
+
+bool GroundLayer::isSeen(const ViewCamera& camera) const {
+    const double over = camera.eye().y() - ground_.corner.y();
+    return shown_ && step_ > 0 && isSeenFrom(over, -camera.forward().y(), camera.parallel);
+}
+
+Bounds GroundLayer::bounds(const ViewCamera& camera) const {
     Bounds box;
-    if (!seen_) return box;
+    if (!isSeen(camera)) return box;
     const Vec3 middle = ground_.corner + Vec3(0.5 * ground_.side, 0, 0.5 * ground_.side);
     const Vec3 reach = kReach * ground_.side * Vec3(1, 0, 1);
     box.add(middle - reach);

@@ -4,14 +4,15 @@
 #include <optional>
 #include <vector>
 
-#include <vtkActor.h>
 #include <vtkNew.h>
+#include <vtkOpenGLActor.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
 
 #include "ui/base/theme.h"
 #include "ui/view/aside.h"
 #include "ui/view/contact_shadow.h"
+#include "ui/view/view_camera.h"
 
 namespace tactum {
 
@@ -22,18 +23,17 @@ public:
     explicit GroundLayer(vtkRenderer& renderer);
 
     void setTheme(const Theme& theme);
-    void setShown(bool shown) { shown_ = shown; }
+    void setShown(bool shown);
     /// What stands on it. Of what moves the shadow is left out until it `rests`.
     void setCasters(std::vector<ShadowCaster> casters, bool rest);
     bool pending() const { return work_.pending(); }
     /// Shows what was made since; true if anything was.
     bool takeFinished();
-    /// Before each picture: whether it is there for an eye at this place.
-    void see(const Vec3& eye_W);
-    /// The box of what is drawn; empty: nothing is. World frame.
-    Bounds bounds() const;
-    /// Between two lines, m; 0: there is none.
-    double step() const { return seen_ ? step_ : 0; }
+    /// The box of what a camera sees of it; empty: nothing, as from below, or in parallel from the side,
+    /// where its lines would be one. World frame.
+    Bounds bounds(const ViewCamera& camera) const;
+    /// Between two lines that it sees, m; 0: there is none.
+    double step(const ViewCamera& camera) const { return isSeen(camera) ? step_ : 0; }
 
 private:
     struct Wish {
@@ -41,18 +41,30 @@ private:
         bool standing = false;
         bool operator==(const Wish&) const = default;
     };
+    /// Asked by each picture for itself: one that looks from below must not change what others show.
+    class Sheet : public vtkOpenGLActor {
+    public:
+        static Sheet* New();
+        vtkTypeMacro(Sheet, vtkOpenGLActor)
+
+            int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
+    };
+
+    bool isSeen(const ViewCamera& camera) const;
     void start();
     void show();
+    void showSheets();
+    void layOut(double width);
     void drawGrid();
 
     Aside<std::optional<GroundShadow>> work_;
     Wish wanted_, started_;
     GroundShadow ground_;
     vtkNew<vtkPolyDataMapper> shadowMapper_, gridMapper_;
-    vtkNew<vtkActor> shadow_, grid_;
+    vtkNew<Sheet> shadow_, grid_;
     const Theme* theme_ = nullptr;
     double step_ = 0;
-    bool shown_ = true, seen_ = false;
+    bool shown_ = true;
 };
 
 /// The power of ten of a metre that makes 4 to 40 lines of an extent, m.

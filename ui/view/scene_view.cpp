@@ -2,16 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
-#include <QOpenGLPaintDevice>
-#include <QPainter>
-
-#include "ui/view/axes_gizmo.h"
-#include "ui/view/brush_ring.h"
 #include "ui/view/gl_window.h"
 #include "ui/view/scene_view_impl.h"
-#include "ui/view/view_labels.h"
 
 namespace tactum {
 
@@ -51,7 +46,7 @@ SceneView::Impl::Impl(SceneView& owner)
     : view(owner), stage(owner.renderWindow()), occlusion(owner.renderWindow()), ground(*stage.solid),
       model(*stage.solid), boundaries(*stage.solid), faces(*stage.chosen), brushed(*stage.touch),
       paint(*stage.solid), marks(*stage.solid, *stage.ghost), overlay(*stage.touch, *stage.ghost),
-      felt(stage, model), camera(defaultCamera()) {
+      felt(stage, model) {
     applyTheme();
 }
 
@@ -74,7 +69,7 @@ void SceneView::Impl::refreshSelection() {
 }
 
 PictureQuality SceneView::atRest() const {
-    return impl_->stage.solid->budget().atRest();
+    return impl_->stage.solid->budget().atRest(impl_->panes.shown().size());
 }
 
 void SceneView::setPictureLimits(const PictureLimits& limits) {
@@ -93,7 +88,7 @@ bool SceneView::drawsCoarse() const {
 // What is laid over triangles would lie beside coarser ones.
 Coarse SceneView::Impl::coarseInMotion() const {
     const PictureBudget& budget = stage.solid->budget();
-    if (budget.affordsMotion()) return Coarse::None;
+    if (budget.affordsMotion(panes.shown().size())) return Coarse::None;
     const bool bare = !faces.any() && paint.picture().parts.empty() && !marks.any();
     if (bare && model.hasCoarse()) return Coarse::Meshes;
     return budget.known() && model.hasRelief() ? Coarse::Relief : Coarse::None;
@@ -101,15 +96,14 @@ Coarse SceneView::Impl::coarseInMotion() const {
 
 void SceneView::Impl::spareTime(PictureQuality quality) {
     PictureBudget& budget = stage.solid->budget();
-    const bool quick = quality == PictureQuality::Quick, smoothed = quality == PictureQuality::Smoothed;
+    const bool smoothed = quality == PictureQuality::Smoothed;
     stage.ghost->setSmoothed(smoothed);
-    view.renderWindow().setCoarse(quick ? coarseInMotion() : Coarse::None);
     if (smoothed && !budget.known()) stage.solid->forget(); // to see what it takes
 }
 
-Bounds SceneView::Impl::shown() const {
+Bounds SceneView::Impl::shownTo(const ViewCamera& camera) const {
     Bounds box = picker.bounds();
-    if (const Bounds below = ground.bounds(); !below.empty()) {
+    if (const Bounds below = ground.bounds(camera); !below.empty()) {
         box.add(below.low);
         box.add(below.high);
     }
@@ -186,7 +180,7 @@ void SceneView::setScene(const Scene& scene) {
     if (makesMeshes()) impl_->meshTimer.start();
     impl_->refreshSelection();
     setProxyRadius(scene.proxyRadius);
-    if (!impl_->fitted && impl_->picker.bounds().diagonal() > 0) fit();
+    if (!impl_->pane().fitted && impl_->picker.bounds().diagonal() > 0) fitAll();
     changed();
 }
 
@@ -256,7 +250,7 @@ void SceneView::setHaptics(const ProxyTelemetry& proxy, const ServoTelemetry& se
     }
     impl_->picker.put(places);
     // Against what is shown, so that slow motion adds up until it is seen.
-    const double unseen = kUnseenPixels * impl_->camera.pixelSize(next.proxy);
+    const double unseen = kUnseenPixels * impl_->finestPixel(next.proxy);
     if (!moved && impl_->touch && impl_->touch->looksLike(next, unseen)) {
         impl_->liftAgain();
         return fadeOn();
@@ -274,10 +268,14 @@ void SceneView::setProxyRadius(double metres) {
 
 void SceneView::fit() {
     impl_->flight.stop();
-    impl_->camera.size = size();
-    impl_->camera.fieldOfView = defaultCamera().fieldOfView; // that of a saved camera may be another
-    impl_->camera.fit(impl_->spanning);
-    impl_->fitted = isVisible() && impl_->picker.bounds().diagonal() > 0; // else again once the size is known
+    impl_->fit(impl_->pane());
+    changed();
+}
+
+void SceneView::fitAll() {
+    impl_->flight.stop();
+    for (ViewPane& pane : impl_->panes.all())
+        impl_->fit(pane);
     changed();
 }
 
@@ -287,8 +285,8 @@ void SceneView::showStandardView(StandardView standard) {
     };
     static constexpr std::array<Angles, 4> kAngles{{{0, 0}, {90, 0}, {0, 90}, {45, 35.264}}};
     const Angles& angles = kAngles[std::size_t(standard)];
-    impl_->camera.yaw = angles.yaw * kDegree;
-    impl_->camera.pitch = angles.pitch * kDegree;
+    impl_->camera().yaw = angles.yaw * kDegree;
+    impl_->camera().pitch = angles.pitch * kDegree;
     fit();
 }
 
@@ -299,8 +297,8 @@ void SceneView::setManners(const CameraManners& manners) {
 void SceneView::flyTo(const Vec3& centre_W, double radius, const Vec3& from_W) {
     constexpr double kMin = 0.02; // of the scene: nearer there is nothing left to know it by
     const double size = std::max(radius, kMin * impl_->picker.bounds().diagonal());
-    ViewCamera to = impl_->camera;
-    to.size = impl_->camera.size = this->size();
+    impl_->panes.layOut(this->size());
+    ViewCamera to = impl_->camera();
     to.fieldOfView = defaultCamera().fieldOfView;
     if (const Vec3 from = from_W.stableNormalized(); from != Vec3::Zero()) {
         to.yaw = std::atan2(from.x(), from.z());
@@ -314,9 +312,9 @@ void SceneView::flyTo(const Vec3& centre_W, double radius, const Vec3& from_W) {
 }
 
 void SceneView::flyTo(const ViewCamera& camera) {
-    impl_->flownFrom = impl_->camera;
+    impl_->flying = impl_->panes.active();
+    impl_->flownFrom = impl_->camera();
     impl_->flownTo = camera;
-    impl_->flownTo.parallel = impl_->camera.parallel;
     if (impl_->manners.flies) return impl_->flight.start();
     impl_->flight.stop();
     impl_->fly(1);
@@ -324,6 +322,7 @@ void SceneView::flyTo(const ViewCamera& camera) {
 
 void SceneView::Impl::fly(double part) {
     const ViewCamera &from = flownFrom, &to = flownTo;
+    ViewCamera& camera = panes[flying].camera;
     const double turn = std::remainder(to.yaw - from.yaw, 2 * std::numbers::pi);
     camera.focus = from.focus + part * (to.focus - from.focus);
     camera.distance = from.distance * std::pow(to.distance / from.distance, part);
@@ -412,7 +411,7 @@ const MappingGizmo& SceneView::mapping() const {
 }
 
 std::optional<PickHit> SceneView::light(QPointF place) {
-    const auto hit = impl_->pick(place, ScenePicker::Patience::Now);
+    const auto hit = impl_->pickAt(place, ScenePicker::Patience::Now);
     impl_->setHovered(hit ? std::optional(hit->surface) : std::nullopt);
     return hit;
 }
@@ -423,7 +422,7 @@ void SceneView::endLight() {
 
 void SceneView::moveCamera(double yaw, double pitch, double nearer) {
     impl_->flight.stop();
-    ViewCamera& camera = impl_->camera;
+    ViewCamera& camera = impl_->camera();
     camera.yaw = std::remainder(camera.yaw + yaw, 2 * std::numbers::pi);
     camera.pitch = std::clamp(camera.pitch + pitch, -0.5 * std::numbers::pi, 0.5 * std::numbers::pi);
     const double size = std::max(impl_->picker.bounds().diagonal(), 1e-6);
@@ -432,7 +431,7 @@ void SceneView::moveCamera(double yaw, double pitch, double nearer) {
 }
 
 const ViewCamera& SceneView::camera() const {
-    return impl_->camera;
+    return impl_->camera();
 }
 
 void SceneView::setOverlayVisible(bool visible) {
@@ -477,7 +476,7 @@ void SceneView::setHandGoal(const Vec3& p_W) {
 }
 
 std::optional<SurfaceRef> SceneView::surfaceAt(QPointF at) const {
-    const auto hit = impl_->pick(at, ScenePicker::Patience::Wait);
+    const auto hit = impl_->pickAt(at, ScenePicker::Patience::Wait);
     return hit ? std::optional(hit->surface) : std::nullopt;
 }
 
@@ -498,72 +497,32 @@ QImage SceneView::grabWithoutHandles() {
 }
 
 void SceneView::prepareFrame() {
-    impl_->camera.size = size();
-    if (!impl_->fitted && impl_->picker.bounds().diagonal() > 0) {
-        impl_->camera.fit(impl_->spanning);
-        impl_->fitted = true;
+    const double ratio = devicePixelRatioF();
+    double finest = std::numeric_limits<double>::max();
+    for (const std::size_t number : impl_->panes.shown()) {
+        ViewPane& pane = impl_->panes[number];
+        if (!pane.fitted && impl_->picker.bounds().diagonal() > 0) impl_->fit(pane);
+        finest = std::min(finest, pane.camera.pixelSize(pane.camera.focus) / ratio);
     }
     impl_->spareTime(quality());
-    impl_->ground.see(impl_->camera.eye());
-    impl_->stage.look(impl_->camera, impl_->shown());
-    impl_->stage.setOutlineWidth(kOutlinePixels * devicePixelRatioF());
+    impl_->stage.setOutlineWidth(kOutlinePixels * ratio);
     impl_->boundaries.place([this](ObjectId id) { return impl_->model.placeOf(id); });
     impl_->faces.place(impl_->model.matrixOf(impl_->facesOf));
     impl_->brushed.place(impl_->model.matrixOf(impl_->brushedOf));
     const PaintedPicture& painted = impl_->paint.picture();
     impl_->paint.lieOn([&](Index i) { return impl_->felt.shapeOf(painted.object, painted.soup.get(), i); });
     impl_->paint.place(impl_->model.matrixOf(painted.object));
-    if (impl_->touch)
-        impl_->overlay.update(*impl_->touch, impl_->camera, impl_->proxyRadius, impl_->shadows());
-    impl_->placeBeside();
-    impl_->felt.update(impl_->showsTouch() ? &*impl_->touch : nullptr, impl_->camera, devicePixelRatioF());
+    impl_->felt.update(finest, ratio);
 }
 
-/// What is drawn over the view to select it.
-void SceneView::Impl::drawRegion(QPainter& painter) const {
-    if (brushes() && pointer) drawSelectBrush(painter, *pointer, *selectBrush, theme());
-    if (!drawsRegion()) return;
-    QColor fill = theme().accent;
-    painter.setPen(fill);
-    fill.setAlphaF(0.15f);
-    painter.setBrush(fill);
-    if (drag == ViewDrag::Box)
-        painter.drawRect(QRectF(pressedAt, cursorAt).normalized());
-    else
-        painter.drawPolygon(lasso, Qt::WindingFill);
-    painter.setBrush(Qt::NoBrush);
-}
-
-void SceneView::Impl::drawHandles(QPainter& painter) const {
-    mapping.draw(painter, camera, theme(), cursorAt);
-    if (mass) drawMass(painter, *mass, camera, theme());
-    joint.draw(painter, camera, theme(), cursorAt);
-    path.draw(painter, camera, theme(), cursorAt);
-    sectionHandles.draw(painter, camera, theme(), cursorAt);
-    arranging.draw(painter, camera, theme(), cursorAt, arranged);
-}
-
-// Into the framebuffer that is bound: a painter on the widget would miss the picture when a window is
-// grabbed.
-void SceneView::paintOver() {
-    QOpenGLPaintDevice device((QSizeF(size()) * devicePixelRatioF()).toSize());
-    device.setDevicePixelRatio(devicePixelRatioF());
-    QPainter painter(&device);
-    painter.setFont(font());
-    drawAxes(painter, impl_->camera, impl_->theme(), impl_->covered);
-    impl_->drawRegion(painter);
-    if (impl_->brushAt) drawBrushRing(painter, *impl_->brushAt, impl_->brush, impl_->camera, impl_->theme());
-    drawColliders(
-        painter, impl_->colliders, [this](ObjectId id) { return impl_->model.placeOf(id); }, impl_->camera,
-        impl_->theme());
-    if (impl_->handlesDrawn) impl_->drawHandles(painter);
-    impl_->drawMeasured(painter);
-    impl_->felt.drawLegends(painter, size() - QSize(0, impl_->foot), impl_->theme());
-    if (impl_->showsTouch())
-        drawTouchLabels(painter, *impl_->touch, impl_->camera, impl_->theme(), impl_->touchedName,
-                        {impl_->mark.number, impl_->beside.empty() ? QString() : impl_->mark.name});
-    impl_->drawBeside(painter);
-    impl_->askForLoupe();
+// What has its size in pixels is placed anew for each of them; it is drawn at once.
+void SceneView::preparePicture(std::size_t number) {
+    const ViewCamera& camera = impl_->panes[impl_->panes.shown()[number]].camera;
+    renderWindow().setCoarse(quality() == PictureQuality::Quick ? impl_->coarseInMotion() : Coarse::None);
+    impl_->stage.look(camera, impl_->shownTo(camera), number);
+    if (impl_->touch) impl_->overlay.update(*impl_->touch, camera, impl_->proxyRadius, impl_->shadows());
+    impl_->placeBeside(camera);
+    impl_->felt.lookFrom(camera, impl_->showsTouch() ? &*impl_->touch : nullptr);
 }
 
 } // namespace tactum

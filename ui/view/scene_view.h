@@ -29,6 +29,7 @@
 #include "ui/view/path_gizmo.h"
 #include "ui/view/scene_picker.h"
 #include "ui/view/section_gizmo.h"
+#include "ui/view/view_split.h"
 #include "ui/view/vtk_widget.h"
 
 class QMimeData;
@@ -124,8 +125,25 @@ public:
     void setHands(const HandMark& mark, const std::vector<HandBeside>& beside);
     void setProxyRadius(double metres);
 
+    /// Divides it into panes, which share all that is shown; what is said here of the camera is that of the
+    /// active one, and pixels of what is done with the mouse begin at its upper left corner.
+    void setSplit(ViewSplit split);
+    ViewSplit split() const;
+    /// Parts of the width and the height that are left of and above what divides the panes.
+    void setDivision(QPointF parts);
+    QPointF division() const;
+    /// Where the panes are, from left to right and from above; one that fills the view while it is whole.
+    std::vector<QRect> panes() const;
+    const ViewCamera& cameraOf(std::size_t pane) const;
+    /// In that order.
+    std::size_t activePane() const;
+    /// Whether the active one is drawn without vanishing points whatever setFelt() says.
+    bool showsPlan() const;
+
     /// Shows the whole scene from where the camera looks now.
     void fit();
+    /// The same in every pane.
+    void fitAll();
     void showStandardView(StandardView view);
     /// Moves the camera, within a moment, until a ball fills a good part of the view. `from_W`: where to look
     /// from, a direction of any length; zero: from where it looks now. World frame, metre.
@@ -240,7 +258,7 @@ public:
 
     /// What is shown now, in device pixels, drawn as well as this machine can.
     QImage grabPicture();
-    /// The same to be kept: without what the tools are dragged by.
+    /// The same to be kept: without what the tools are dragged by, and which pane is active.
     QImage grabWithoutHandles();
 
 signals:
@@ -250,6 +268,8 @@ signals:
     void picked(std::optional<tactum::PickHit> hit, Qt::KeyboardModifiers modifiers);
     /// The right button was pressed and let go at a place, or the key for menus; `at`: of the screen.
     void menuAsked(std::optional<tactum::PickHit> hit, const QPoint& at);
+    /// The person has led the lines between the panes elsewhere.
+    void divided();
     /// A box, or a closed line, was drawn, in logical pixels.
     void boxDrawn(QRectF box, Qt::KeyboardModifiers modifiers);
     void lassoDrawn(const QPolygonF& line, Qt::KeyboardModifiers modifiers);
@@ -298,7 +318,9 @@ signals:
 protected:
     bool event(QEvent* event) override;
     PictureQuality atRest() const override;
+    std::vector<QRect> pictures() override;
     void prepareFrame() override;
+    void preparePicture(std::size_t number) override;
     void paintOver() override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;

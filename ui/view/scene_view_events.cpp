@@ -29,10 +29,24 @@ ViewDrag dragOf(CameraManners::Drag drag, bool other) {
     return (drag == CameraManners::Drag::Orbit) != other ? ViewDrag::Orbit : ViewDrag::Pan;
 }
 
+Qt::CursorShape shapeOf(Qt::Orientations lines) {
+    if (lines == (Qt::Horizontal | Qt::Vertical)) return Qt::SizeAllCursor;
+    return lines == Qt::Vertical ? Qt::SplitHCursor : Qt::SplitVCursor;
+}
+
 } // namespace
 
+QPoint SceneView::Impl::inScreen(QPointF cursor) const {
+    return view.mapToGlobal((cursor + pane().place.topLeft()).toPoint());
+}
+
+std::optional<PickHit> SceneView::Impl::pickAt(QPointF place, ScenePicker::Patience patience) const {
+    const ViewPane& there = panes[panes.at(place)];
+    return picker.cast(there.camera.ray(there.inside(place)), patience);
+}
+
 std::optional<PickHit> SceneView::Impl::pick(QPointF cursor, ScenePicker::Patience patience) const {
-    return picker.cast(camera.ray(cursor), patience);
+    return picker.cast(camera().ray(cursor), patience);
 }
 
 void SceneView::Impl::pressLeft(QPointF cursor, bool alt) {
@@ -69,8 +83,7 @@ void SceneView::Impl::endStroke(StrokeStep how) {
 }
 
 void SceneView::Impl::letGo(bool givenUp) {
-    if (lags())
-        QCursor::setPos(view.mapToGlobal(lagging.at().toPoint())); // where the finger is; Wayland refuses
+    if (lags()) QCursor::setPos(inScreen(lagging.at())); // where the finger is; Wayland refuses
     drag = ViewDrag::None;
     const bool handled = std::exchange(taken, nullptr);
     for (ViewHandles* each : handles)
@@ -85,20 +98,21 @@ void SceneView::Impl::dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
     if (drag == ViewDrag::Paint) return strokeTo(cursor, modifiers);
     if (drag == ViewDrag::Brush) emit view.selectBrushed(StrokeStep::Move, cursorAt, cursor, modifiers);
     if (drag == ViewDrag::Lasso) lasso << cursor;
-    if (drag == ViewDrag::Orbit) camera.orbit(manners.turnSpeed * step);
-    if (drag == ViewDrag::Pan) camera.pan(step);
+    if (drag == ViewDrag::Orbit) camera().orbit(manners.turnSpeed * step);
+    if (drag == ViewDrag::Pan) camera().pan(step);
     if (drag == ViewDrag::Handles) leadHandles(cursor, modifiers);
     if (hand.grip() == Grip::None) return view.changed();
     if (lags()) cursor = lagging.follow(cursor, pushInPicture());
     std::optional<Vec3> touched;
     if (hand.grip() == Grip::Stroke)
         if (const auto hit = pick(cursor, ScenePicker::Patience::Wait)) touched = hit->point;
-    hand.moveTo(cursor, camera, touched, modifiers & Qt::ControlModifier);
+    hand.moveTo(cursor, camera(), touched, modifiers & Qt::ControlModifier);
     goalMoved();
 }
 
 /// A press that did not become a drag chooses what lies there, or, away from the model, nothing.
 void SceneView::Impl::release(QPointF cursor, Qt::KeyboardModifiers modifiers) {
+    if (drag == ViewDrag::Lines) return endLines(cursor);
     if (drawsRegion()) return endRegion(cursor, modifiers);
     if (drag == ViewDrag::Paint || drag == ViewDrag::Brush) return endStroke(StrokeStep::End);
     const bool clicked = !moved && (drag == ViewDrag::Hand || drag == ViewDrag::Orbit);
@@ -111,7 +125,7 @@ void SceneView::Impl::release(QPointF cursor, Qt::KeyboardModifiers modifiers) {
 }
 
 void SceneView::Impl::askForMenu(QPointF cursor) {
-    emit view.menuAsked(pick(cursor, ScenePicker::Patience::Wait), view.mapToGlobal(cursor.toPoint()));
+    emit view.menuAsked(pick(cursor, ScenePicker::Patience::Wait), inScreen(cursor));
 }
 
 void SceneView::Impl::endRegion(QPointF cursor, Qt::KeyboardModifiers modifiers) {
@@ -165,9 +179,10 @@ void SceneView::Impl::refreshHover() {
 }
 
 void SceneView::Impl::showCursor(QPointF cursor) {
+    if (const auto lines = linesUnder(cursor)) return view.setCursor(shapeOf(lines));
     if (hand.grip() != Grip::None) return view.setCursor(lags() ? Qt::BlankCursor : Qt::ClosedHandCursor);
     if (regionNext || drawsRegion() || brushes()) return view.setCursor(Qt::CrossCursor);
-    const auto under = [&](const ViewHandles* each) { return each->isUnder(cursor, camera); };
+    const auto under = [&](const ViewHandles* each) { return each->isUnder(cursor, camera()); };
     if (drag == ViewDrag::Handles || std::ranges::any_of(handles, under))
         return view.setCursor(Qt::SizeAllCursor);
     if (tool == ViewTool::Touch && takesFinger(cursor, pick(cursor, ScenePicker::Patience::Now)))
@@ -180,12 +195,12 @@ void SceneView::Impl::showCursor(QPointF cursor) {
 void SceneView::Impl::zoomAt(QPointF cursor, double notches) {
     const auto hit = manners.zoomToCursor ? pick(cursor, ScenePicker::Patience::Now) : std::nullopt;
     const Vec3 anchor = hit                    ? hit->point
-                        : manners.zoomToCursor ? camera.pointAtDepthOf(camera.focus, cursor)
-                                               : camera.focus;
+                        : manners.zoomToCursor ? camera().pointAtDepthOf(camera().focus, cursor)
+                                               : camera().focus;
     const double size = std::max(picker.bounds().diagonal(), 1e-6);
     const double wanted = std::pow(kZoomPerNotch, manners.zoomSpeed * notches);
-    const double distance = std::clamp(camera.distance * wanted, 0.01 * size, 50 * size);
-    camera.zoomTo(anchor, distance / camera.distance);
+    const double distance = std::clamp(camera().distance * wanted, 0.01 * size, 50 * size);
+    camera().zoomTo(anchor, distance / camera().distance);
     view.changed();
 }
 
@@ -241,7 +256,8 @@ bool SceneView::Impl::cameraKey(int key) {
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
     impl_->flight.stop();
-    const QPointF cursor = event->position();
+    if (event->button() == Qt::LeftButton && impl_->takeLines(event->position())) return;
+    const QPointF cursor = impl_->actAt(event->position());
     if (impl_->drag == ViewDrag::Handles) { // that follow the pointer without a button, or a second button
         if (event->button() != Qt::LeftButton) return impl_->giveUpHandles();
         return impl_->letGo();
@@ -270,7 +286,8 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
-    const QPointF cursor = event->position();
+    if (impl_->drag == ViewDrag::Lines) return impl_->leadLines(event->position());
+    const QPointF cursor = impl_->pointAt(event->position());
     impl_->pointer = cursor;
     if (lengthOf(cursor - impl_->pressedAt) > kClickPixels) impl_->moved = true;
     if (impl_->drag != ViewDrag::None || impl_->hand.grip() == Grip::Follow)
@@ -283,11 +300,11 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::RightButton && std::exchange(impl_->menuNext, false)) {
         if (impl_->drag != ViewDrag::None) impl_->letGo();
-        if (!impl_->moved) impl_->askForMenu(event->position());
+        if (!impl_->moved) impl_->askForMenu(impl_->pointAt(event->position()));
         return;
     }
     if (impl_->drag == ViewDrag::None) return event->ignore();
-    impl_->release(event->position(), event->modifiers());
+    impl_->release(impl_->pointAt(event->position()), event->modifiers());
 }
 
 /// Of the mouse it is asked for when the button goes up: where it gives something up there is none.
@@ -298,7 +315,7 @@ void SceneView::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
-    const QPointF cursor = event->position();
+    const QPointF cursor = impl_->actAt(event->position());
     const bool onFinger = impl_->tool == ViewTool::Touch &&
                           impl_->takesFinger(cursor, impl_->pick(cursor, ScenePicker::Patience::Wait));
     if (event->button() == Qt::LeftButton && impl_->tool != ViewTool::Touch)
@@ -312,9 +329,10 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void SceneView::wheelEvent(QWheelEvent* event) {
     impl_->flight.stop();
+    const QPointF cursor = impl_->actAt(event->position());
     const double notches = event->angleDelta().y() / 120.0;
-    if (impl_->hand.grip() == Grip::None) return impl_->zoomAt(event->position(), notches);
-    impl_->hand.push(notches, impl_->camera);
+    if (impl_->hand.grip() == Grip::None) return impl_->zoomAt(cursor, notches);
+    impl_->hand.push(notches, impl_->camera());
     impl_->goalMoved();
 }
 
@@ -324,12 +342,15 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
     const double scale = event->modifiers() & Qt::ShiftModifier ? kFineStep : 1;
     if (event->key() == Qt::Key_Home) return fit();
     if (pad && impl_->cameraKey(event->key())) return;
-    if (impl_->handKey(event->key(), mapFromGlobal(QCursor::pos())) || impl_->nudgeKey(event->key(), scale))
+    impl_->panes.use();
+    if (impl_->handKey(event->key(), impl_->pane().inside(mapFromGlobal(QCursor::pos()))) ||
+        impl_->nudgeKey(event->key(), scale))
         return;
     VtkWidget::keyPressEvent(event);
 }
 
 void SceneView::leaveEvent(QEvent* event) {
+    if (!impl_->staysInPane() && impl_->panes.pointNowhere()) changed();
     impl_->brushAt.reset();
     impl_->pointer.reset();
     if (std::exchange(impl_->measureNext, std::nullopt) || impl_->brushes()) changed();

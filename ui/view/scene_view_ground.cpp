@@ -31,7 +31,7 @@ std::size_t SceneView::boundaryEdgesShown() const {
 }
 
 double SceneView::gridStep() const {
-    return impl_->ground.step();
+    return impl_->ground.step(impl_->camera());
 }
 
 } // namespace tactum

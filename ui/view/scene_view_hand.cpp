@@ -25,7 +25,7 @@ constexpr double kLeastSlant = 0.3, kGapReserve = 1.1;
 bool SceneView::Impl::isNearFinger(QPointF cursor) const {
     const TouchState* led = ledTouch();
     if (!overlayVisible || !led) return false;
-    const auto seen = camera.project(led->finger);
+    const auto seen = camera().project(led->finger);
     return seen && lengthOf(*seen - cursor) <= kGrabPixels;
 }
 
@@ -41,16 +41,16 @@ bool SceneView::Impl::lags() const {
 
 QPointF SceneView::Impl::pushInPicture() const {
     const TouchState* led = ledTouch();
-    return led ? QPointF(led->force.dot(camera.right()), -led->force.dot(camera.up())) : QPointF();
+    return led ? QPointF(led->force.dot(camera().right()), -led->force.dot(camera().up())) : QPointF();
 }
 
 void SceneView::Impl::takeHold(QPointF cursor, const std::optional<PickHit>& hit) {
     drag = ViewDrag::Hand;
     lagging.begin(cursor);
     if (takesFinger(cursor, hit)) return setGrip(Grip::Drag, cursor);
-    const double slant = std::abs(hit->normal.dot((hit->point - camera.eye()).normalized()));
+    const double slant = std::abs(hit->normal.dot((hit->point - camera().eye()).normalized()));
     const double gap = kGapReserve * proxyRadius / std::max(slant, kLeastSlant);
-    hand.beginStroke(cursor, hit->point, gap, camera, picker.bounds(),
+    hand.beginStroke(cursor, hit->point, gap, camera(), picker.bounds(),
                      [this](const Vec3& from, const Vec3& to) { return picker.isFree(from, to); });
     goalMoved();
     emit view.handGrabbed(true);
@@ -148,15 +148,16 @@ bool SceneView::Impl::nudgeKey(int key, double scale) {
     default:
         return false;
     }
-    hand.nudge(scale * steps, camera);
+    hand.nudge(scale * steps, camera());
     goalMoved();
     return true;
 }
 
 bool SceneView::Impl::isSeen(const Vec3& p_W) const {
-    const auto at = camera.project(p_W);
-    const QRectF inside = QRectF({0, 0}, camera.size).adjusted(kSeenAcross, kSeenUp, -kSeenAcross, -kSeenUp);
-    return at && inside.contains(*at) && picker.isClear(camera.eye(), p_W);
+    const auto at = camera().project(p_W);
+    const QRectF inside =
+        QRectF({0, 0}, camera().size).adjusted(kSeenAcross, kSeenUp, -kSeenAcross, -kSeenUp);
+    return at && inside.contains(*at) && picker.isClear(camera().eye(), p_W);
 }
 
 // To the right of the picture, where there is room in most windows; and last before the model, where it is
@@ -164,7 +165,7 @@ bool SceneView::Impl::isSeen(const Vec3& p_W) const {
 std::optional<Vec3> SceneView::placeBeside(double reach) const {
     const Bounds& box = impl_->picker.bounds();
     if (box.empty()) return std::nullopt;
-    const ViewCamera& camera = impl_->camera;
+    const ViewCamera& camera = impl_->camera();
     const Vec3 right = camera.right(), up = camera.up();
     const auto place = [&](const Vec3& way, double part) {
         const double off = std::max(part * box.diagonal(), kClearRadii * impl_->proxyRadius);

@@ -10,7 +10,7 @@ namespace tactum {
 
 bool SceneView::Impl::takeHandles(QPointF cursor) {
     const auto under =
-        std::ranges::find_if(handles, [&](ViewHandles* each) { return each->take(cursor, camera); });
+        std::ranges::find_if(handles, [&](ViewHandles* each) { return each->take(cursor, camera()); });
     if (under == handles.end()) return false;
     grabbed(**under);
     return true;
@@ -26,15 +26,16 @@ void SceneView::Impl::grabbed(ViewHandles& which) {
 }
 
 void SceneView::Impl::leadHandles(QPointF cursor, Qt::KeyboardModifiers modifiers) {
-    if (taken == &mapping) emit view.mappingDragged(mapping.dragged(cursor, camera));
-    if (taken == &joint) emit view.jointDragged(joint.dragged(cursor, camera));
-    if (taken == &path) emit view.pathDragged(path.dragged(cursor, camera, modifiers & Qt::ControlModifier));
+    if (taken == &mapping) emit view.mappingDragged(mapping.dragged(cursor, camera()));
+    if (taken == &joint) emit view.jointDragged(joint.dragged(cursor, camera()));
+    if (taken == &path)
+        emit view.pathDragged(path.dragged(cursor, camera(), modifiers & Qt::ControlModifier));
     if (taken == &sectionHandles)
-        emit view.sectionDragged(sectionHandles.dragged(cursor, camera, modifiers & Qt::ControlModifier));
+        emit view.sectionDragged(sectionHandles.dragged(cursor, camera(), modifiers & Qt::ControlModifier));
     if (taken != &arranging) return;
     const bool fine = modifiers & Qt::ShiftModifier;
     arranging.lead(cursor - cursorAt, fine);
-    arranged = arranging.dragged(camera, modifiers & Qt::ControlModifier, fine);
+    arranged = arranging.dragged(camera(), modifiers & Qt::ControlModifier, fine);
     emit view.arrangeDragged(*arranged);
 }
 

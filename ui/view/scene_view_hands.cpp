@@ -31,7 +31,7 @@ void SceneView::setHands(const HandMark& mark, const std::vector<HandBeside>& ha
         if (moved) shown.overlay->setTheme(impl_->theme(), hand.mark.number);
         shown.mark = hand.mark;
         const TouchState next = touchState(hand.touch, hand.servo, hand.forceLimit, hand.armed);
-        const double unseen = kUnseenPixels * impl_->camera.pixelSize(next.proxy);
+        const double unseen = kUnseenPixels * impl_->finestPixel(next.proxy);
         if (!moved && shown.touch.looksLike(next, unseen)) continue;
         shown.touch = next;
         moved = true;
@@ -46,7 +46,7 @@ Drop SceneView::Impl::shadows() const {
     };
 }
 
-void SceneView::Impl::placeBeside() {
+void SceneView::Impl::placeBeside(const ViewCamera& camera) {
     for (Beside& other : beside) {
         other.overlay->setMarks(felt.options().normals, felt.options().planes);
         other.overlay->setStylus(felt.options().stylus);
@@ -54,7 +54,7 @@ void SceneView::Impl::placeBeside() {
     }
 }
 
-void SceneView::Impl::drawBeside(QPainter& painter) const {
+void SceneView::Impl::drawBeside(QPainter& painter, const ViewCamera& camera) const {
     if (!overlayVisible) return;
     for (const Beside& other : beside)
         drawHandLabels(painter, other.touch, camera, theme(), {other.mark.number, other.mark.name});

@@ -19,6 +19,7 @@
 #include "ui/view/scene_picker.h"
 #include "ui/view/scene_view.h"
 #include "ui/view/touch_overlay.h"
+#include "ui/view/view_panes.h"
 #include "ui/view/view_stage.h"
 
 namespace tactum {
@@ -27,7 +28,7 @@ namespace tactum {
 inline constexpr double kUnseenPixels = 0.1;
 
 /// What a mouse button that is down does.
-enum class ViewDrag { None, Orbit, Pan, Hand, Box, Lasso, Brush, Paint, Handles };
+enum class ViewDrag { None, Orbit, Pan, Hand, Box, Lasso, Brush, Paint, Handles, Lines };
 
 struct SceneView::Impl {
     explicit Impl(SceneView& view);
@@ -39,8 +40,31 @@ struct SceneView::Impl {
     void spareTime(PictureQuality quality);
     /// What a picture in motion leaves out where it takes too long.
     Coarse coarseInMotion() const;
-    /// All that must not be clipped away.
-    Bounds shown() const;
+    /// All that must not be clipped away for a camera.
+    Bounds shownTo(const ViewCamera& camera) const;
+    /// Of the active pane: what the mouse and the keys act upon.
+    ViewCamera& camera() { return panes[panes.active()].camera; }
+    const ViewCamera& camera() const { return panes[panes.active()].camera; }
+    /// A logical pixel at the depth of a point in the pane that shows it largest, m.
+    double finestPixel(const Vec3& p_W) const;
+    /// Looks at the whole scene, from where the pane looks from now.
+    void fit(ViewPane& pane);
+    /// The own view stands farther back in a pane that would cut it off, until it is alone again.
+    void changeSplit(ViewSplit split);
+    /// A drag, or something that follows the pointer, stays in the pane where it began.
+    bool staysInPane() const { return drag != ViewDrag::None || hand.grip() == Grip::Follow; }
+    /// Where a place of the view is in the pane that is active from now on.
+    QPointF pointAt(QPointF place);
+    /// The same for what is done there.
+    QPointF actAt(QPointF place);
+    ViewPane& pane() { return panes[panes.active()]; }
+    const ViewPane& pane() const { return panes[panes.active()]; }
+    QPoint inScreen(QPointF cursor) const;
+    /// The lines between panes that a press there would take, or has taken.
+    Qt::Orientations linesUnder(QPointF cursor) const;
+    bool takeLines(QPointF place);
+    void leadLines(QPointF place);
+    void endLines(QPointF cursor);
     /// What the scene's objects cast shadows from; those that move are where they are now.
     void castShadows(bool rest);
     void refreshSelection();
@@ -59,8 +83,8 @@ struct SceneView::Impl {
     const TouchState* ledTouch() const;
     /// What the shadows of the hands fall on.
     Drop shadows() const;
-    void placeBeside();
-    void drawBeside(QPainter& painter) const;
+    void placeBeside(const ViewCamera& camera);
+    void drawBeside(QPainter& painter, const ViewCamera& camera) const;
 
     bool isNearFinger(QPointF cursor) const;
     /// Whether a press there takes the finger itself, and not the place.
@@ -74,6 +98,8 @@ struct SceneView::Impl {
     Vec3 clearPlace() const;
     bool isSeen(const Vec3& p_W) const;
     std::optional<PickHit> pick(QPointF cursor, ScenePicker::Patience patience) const;
+    /// At a place of the view, in whichever pane it is.
+    std::optional<PickHit> pickAt(QPointF place, ScenePicker::Patience patience) const;
     void pressLeft(QPointF cursor, bool alt);
     void takeHold(QPointF cursor, const std::optional<PickHit>& hit);
     void release(QPointF cursor, Qt::KeyboardModifiers modifiers);
@@ -89,7 +115,11 @@ struct SceneView::Impl {
     void endRegion(QPointF cursor, Qt::KeyboardModifiers modifiers);
     bool brushes() const { return tool == ViewTool::Select && selectBrush; }
     void drawRegion(QPainter& painter) const;
-    void drawHandles(QPainter& painter) const;
+    void drawHandles(QPainter& painter, const ViewPane& pane) const;
+    /// All that is drawn over the picture of a pane, whose upper left corner is the painter's origin.
+    void drawPane(QPainter& painter, std::size_t number) const;
+    void drawWords(QPainter& painter, const ViewPane& pane, double below) const;
+    void drawLines(QPainter& painter) const;
     void dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers);
     /// Everything on the way of the pointer from where it was.
     void strokeTo(QPointF cursor, Qt::KeyboardModifiers modifiers);
@@ -107,7 +137,9 @@ struct SceneView::Impl {
     void giveUpMeasure();
     /// Points on what is not there any more, or has another shape, are taken away.
     void weedMeasure();
-    void drawMeasured(QPainter& painter) const;
+    void drawMeasured(QPainter& painter, const ViewPane& pane) const;
+    /// What lies over a pane, in its own pixels.
+    QRegion coveredIn(const ViewPane& pane) const { return covered.translated(-pane.place.topLeft()); }
     void showCursor(QPointF cursor);
     void zoomAt(QPointF cursor, double notches);
     void goalMoved();
@@ -163,7 +195,11 @@ struct SceneView::Impl {
     ScenePicker picker;
     std::size_t triangles = 0;  ///< of the scene
     std::vector<Vec3> spanning; ///< what is fitted into the view
-    ViewCamera camera;
+    ViewPanes panes;
+    std::optional<ViewCamera> undivided; ///< where the own view looked from before it was narrowed to
+    ViewCamera narrowed;
+    Qt::Orientations ledLines; ///< by the drag Lines
+    std::size_t flying = 0;    ///< the pane of the flight
     ViewCamera flownFrom, flownTo;
     CameraManners manners;
     QVariantAnimation flight;
@@ -177,7 +213,6 @@ struct SceneView::Impl {
     bool dark = true;
     int foot = 0;    ///< logical pixels
     QRegion covered; ///< by what lies over the view, likewise
-    bool fitted = false;
     std::vector<SurfaceRef> selection;
     std::optional<SurfaceRef> hovered;
     std::optional<PickHit> brushAt; ///< where the tool Paint shows its ring

@@ -56,7 +56,8 @@ void SceneView::Impl::drawLoupe() {
     if (!view.context() || !showsTouch() || view.width() < size.width() || view.height() < size.height())
         return;
     const bool quick = view.quality() == PictureQuality::Quick;
-    const ViewCamera close = closeUp(camera, touch->proxy, loupeLook.times, size);
+    const ViewPane& from = panes[panes.used()]; // wherever the pointer is meanwhile
+    const ViewCamera close = closeUp(from.camera, touch->proxy, loupeLook.times, size);
     TouchOverlay& touching = loupe->picture.marks();
     touching.setVisible(true);
     touching.setScale(touchScale);
@@ -65,11 +66,12 @@ void SceneView::Impl::drawLoupe() {
     touching.update(*touch, close, proxyRadius, shadows());
     view.makeCurrent();
     const auto before = std::chrono::steady_clock::now();
-    const QImage picture = loupe->picture.draw(close, shown(), view.devicePixelRatioF(),
+    const QImage picture = loupe->picture.draw(close, shownTo(from.camera), view.devicePixelRatioF(),
                                                quick ? coarseInMotion() : Coarse::None);
     if (quick) loupe->pause = loupePause(std::chrono::steady_clock::now() - before);
     view.doneCurrent();
-    emit view.loupeDrawn(picture, camera.project(touch->proxy).value_or(QPointF()));
+    const QPointF contact = from.camera.project(touch->proxy).value_or(QPointF());
+    emit view.loupeDrawn(picture, contact + from.place.topLeft());
 }
 
 } // namespace tactum

@@ -27,7 +27,8 @@ std::optional<MeasurePoint> SceneView::Impl::measureAt(QPointF cursor, ScenePick
         const auto soup = hit ? picker.soupOf(hit->surface.object) : nullptr;
         const auto pose = hit ? model.placeOf(hit->surface.object) : std::nullopt;
         if (!soup || !pose) continue;
-        const Vec3 place = snappedTo(*soup, hit->triangle, *pose, hit->point, cursor, camera, view.section());
+        const Vec3 place =
+            snappedTo(*soup, hit->triangle, *pose, hit->point, cursor, camera(), view.section());
         if (off.isNull() || place != hit->point)
             return MeasurePoint{hit->surface.object, pose->applyInverse(place), soup};
     }
@@ -60,17 +61,21 @@ void SceneView::Impl::weedMeasure() {
     if (std::ranges::any_of(measure, isGone)) view.clearMeasure();
 }
 
-void SceneView::Impl::drawMeasured(QPainter& painter) const {
+void SceneView::Impl::drawMeasured(QPainter& painter, const ViewPane& pane) const {
     const auto placed = [&](const MeasurePoint& point) {
         const auto pose = model.placeOf(point.object);
         return pose ? std::optional(pose->apply(point.p_B)) : std::nullopt;
     };
-    drawMeasure(painter, view.measured(), measureNext ? placed(*measureNext) : std::nullopt, camera, theme(),
-                covered);
+    drawMeasure(painter, view.measured(), measureNext ? placed(*measureNext) : std::nullopt, pane.camera,
+                theme(), coveredIn(pane));
 }
 
 std::vector<QRectF> SceneView::measuredBoxes() const {
-    return measureBoxes(measured(), impl_->camera, font(), impl_->covered);
+    const ViewPane& pane = impl_->pane();
+    std::vector<QRectF> boxes = measureBoxes(measured(), pane.camera, font(), impl_->coveredIn(pane));
+    for (QRectF& box : boxes)
+        box.translate(pane.place.topLeft());
+    return boxes;
 }
 
 void SceneView::setCovered(const QRegion& covered) {

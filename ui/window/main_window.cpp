@@ -51,6 +51,7 @@
 #include "ui/controllers/select_controller.h"
 #include "ui/controllers/self_test_controller.h"
 #include "ui/controllers/sound_controller.h"
+#include "ui/controllers/split_controller.h"
 #include "ui/controllers/stage.h"
 #include "ui/controllers/study_controller.h"
 #include "ui/controllers/surface_controller.h"
@@ -161,6 +162,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     new ArrangeController(bench_, *arranging_, *arrangeStrip_);
     new SurfaceController(bench_, *docks_.inspector);
     new LoupeController(bench_);
+    new SplitController(bench_);
     felt_ = new FeltController(bench_);
     new PlotController(bench_, *docks_.plot);
     new SoundController(bench_, *sound_);
@@ -343,7 +345,7 @@ void MainWindow::follow(const SceneChange& change) {
     }
     if (change.what == What::Everything) {
         stage_->showCentre(); // or the view would not know yet how large it is
-        view_->fit();
+        view_->fitAll();
         hand_->placeBeside();
     }
     for (const char* id : {"save", "save-as", "export", "save-picture", "update-geometry", "export-report"})

@@ -176,7 +176,8 @@ const std::vector<Change>& changes() {
          }},
         {"a surface that is lit",
          [](KeptView& v) {
-             v.view.light({250, 190});
+             const QPointF middle = *v.view.cameraOf(0).project(v.view.placeOf(v.ball())->translation);
+             v.view.light(v.view.panes()[0].topLeft() + middle);
          }},
         {"a surface that is lit no more", [](KeptView& v) { v.view.endLight(); }},
         {"a selection",
@@ -282,16 +283,23 @@ private slots:
     void everyChangeIsSeen_data() {
         QTest::addColumn<int>("ball");
         QTest::addColumn<bool>("atRest");
-        for (int ball = 0; ball < int(kBalls.size()); ++ball)
-            for (const bool atRest : {false, true})
-                QTest::addRow("%s, %s", ball == 0 ? "alone" : "in a crowd", atRest ? "at rest" : "in motion")
-                    << ball << atRest;
+        QTest::addColumn<ViewSplit>("split");
+        for (const ViewSplit split : {ViewSplit::One, ViewSplit::Four})
+            for (int ball = 0; ball < int(kBalls.size()); ++ball)
+                for (const bool atRest : {false, true})
+                    QTest::addRow("%s, %s%s", ball == 0 ? "alone" : "in a crowd",
+                                  atRest ? "at rest" : "in motion",
+                                  split == ViewSplit::Four ? ", four panes" : "")
+                        << ball << atRest << split;
     }
     void everyChangeIsSeen() {
         QFETCH(int, ball);
         QFETCH(bool, atRest);
+        QFETCH(ViewSplit, split);
         const auto [meridians, rings] = kBalls[std::size_t(ball)];
         KeptView shown(sceneOf(meridians, rings));
+        shown.view.setSplit(split);
+        const int panes = int(shown.view.panes().size());
         QImage before = shown.picture(atRest);
         for (const Change& change : changes()) {
             change.make(shown);
@@ -300,15 +308,26 @@ private slots:
             shown.view.forgetPicture();
             const int drawn = shown.view.modelPictures();
             before = shown.picture(atRest);
-            QCOMPARE(shown.view.modelPictures(), drawn + 1);
+            QCOMPARE(shown.view.modelPictures(), drawn + panes);
             const int apart = differing(kept, before);
             QVERIFY2(apart == 0, qPrintable(QStringLiteral("%1: %2 pixels").arg(change.what).arg(apart)));
         }
     }
 
+    // Panes of other shapes as well, one of which looks from below the ground.
+    void aTouchDoesNotDrawTheModel_data() {
+        QTest::addColumn<ViewSplit>("split");
+        QTest::addRow("one") << ViewSplit::One;
+        QTest::addRow("columns") << ViewSplit::Columns;
+        QTest::addRow("four") << ViewSplit::Four;
+    }
     /// Whether it moves or comes to rest.
     void aTouchDoesNotDrawTheModel() {
+        QFETCH(ViewSplit, split);
         KeptView shown(sceneOf(64, 32));
+        shown.view.setSplit(split);
+        shown.view.setDivision({0.4, 0.3});
+        if (split != ViewSplit::One) shown.view.moveCamera(0, -1.2);
         const std::array<QImage, 2> first{shown.picture(false), shown.picture(true)};
         const int drawn = shown.view.modelPictures();
         for (int i = 1; i <= 20; ++i) {
@@ -410,6 +429,17 @@ void TestKeptPicture::figures() {
         measure("selected", atRest, count, touch);
         shown.view.setSelectedFaces(0, {});
         measure("orbit", atRest, count, [&](int) { shown.view.moveCamera(0.05, 0); });
+        for (const ViewSplit split : {ViewSplit::Columns, ViewSplit::Four}) {
+            shown.view.setSplit(split);
+            qInfo("%s:", split == ViewSplit::Columns ? "two panes" : "four panes");
+            measure("kept", atRest, count, touch);
+            measure("orbit", atRest, count, [&](int) { shown.view.moveCamera(0.05, 0); });
+            measure("all drawn", atRest, count, [&](int i) {
+                touch(i);
+                shown.view.forgetPicture();
+            });
+        }
+        shown.view.setSplit(ViewSplit::One);
     }
     SectionPlane cut; // through the middle
     for (const bool atRest : {false, true}) {

@@ -29,6 +29,7 @@
 #include "tests/ui/window/study_pictures.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
+#include "ui/base/preferences.h"
 #include "ui/base/style.h"
 #include "ui/document/journal.h"
 #include "ui/document/preset_store.h"
@@ -393,6 +394,25 @@ void takeMoving(const QDir& folder, const QString& scenes, QSize size) {
     }
 }
 
+/// Four panes of one touch: pressed in the one from the right.
+void takeSplit(const QDir& folder, const QString& sample, QSize size, const QString& name) {
+    TouchedWindow program(size);
+    if (!program.open(sample)) qFatal("%s cannot be opened", qPrintable(sample));
+    program.type(QStringLiteral("stiffness"), QStringLiteral("350"));
+    program.command("split-four").trigger();
+    program.frames(20);
+    const SceneView& view = program.window->view();
+    const QPoint at = view.panes()[3].center() + QPoint(-44, 24);
+    program.moveTo(at);
+    program.press(at);
+    program.frames(60);
+    program.wheel(at, 5);
+    program.frames(60);
+    save(program, folder, name);
+    program.release(at);
+    program.command("split-one").trigger();
+}
+
 /// The view of every scene at home, in both themes: whether what is felt can be told apart by looking.
 void takeLooks(const QDir& folder, const QString& scenes, QSize size) {
     TouchedWindow program(size);
@@ -439,11 +459,11 @@ void takeShowing(const QDir& folder, const QString& sample, QSize size) {
 }
 
 // FOLDER [SCENE [WIDTHxHEIGHT
-// [start|felt|layers|paint|tasks|bodies|many|moving|connected|touch|device|devices|self-test|looks|showing]]]:
+// [start|felt|split|layers|paint|tasks|bodies|many|moving|connected|touch|device|devices|self-test|looks|showing]]]:
 // with the last word only the pictures of the start page, of what is felt, of layers, of painting, of presets
 // and problems, of what moves, or of a device; `touch`: what join_pictures.py makes a moving picture of;
 // `devices`: every page of its dock in both themes, `self-test`: also light and in German; `moving`: every
-// scene in which bodies move; `looks`: every scene at home.
+// scene in which bodies move; `looks`: every scene at home; `split`: the divided view, also light.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -489,6 +509,12 @@ int main(int argc, char** argv) {
     if (only == "many") return 0;
     if (only == "moving") takeMoving(folder, scenes, size);
     if (only == "bodies" || only == "moving") return 0;
+    if (wanted("split")) takeSplit(folder, sample, size, QStringLiteral("split.png"));
+    if (only == "split") {
+        Preferences::instance().set(Preferred::Theme, double(ThemeChoice::Light));
+        takeSplit(folder, sample, size, QStringLiteral("split-light.png"));
+        return 0;
+    }
     TouchedWindow program(size);
     if (wanted("felt")) takeFeltPictures(program, folder, scenes);
     if (wanted("layers")) takeLayerPictures(program, folder, scenes);
