@@ -80,10 +80,10 @@ inline Seen seenBy(const Account& account) {
             own.rights = rights;
             own.told = thread.urgency();
         }
-        _exit(write(ends[1], &own, sizeof own) == sizeof own ? 0 : 1);
+        _exit(::write(ends[1], &own, sizeof own) == sizeof own ? 0 : 1);
     }
     close(ends[1]);
-    if (read(ends[0], &seen, sizeof seen) != sizeof seen) seen.started = false;
+    if (::read(ends[0], &seen, sizeof seen) != sizeof seen) seen.started = false;
     close(ends[0]);
     waitpid(child, nullptr, 0);
     return seen;
