@@ -56,7 +56,7 @@ void addProxy(Events& events, const ProxyRow& now) {
     if (now.flags & ProxyRow::Restart) events.push_back({now.time, false, "the proxy was put on the finger"});
 }
 
-Events eventsOf(const RecordedHand& hand) {
+Events eventsOf(const HandRecord& hand) {
     Events events;
     for (std::size_t i = 1; i < hand.servo.rows.size(); ++i) {
         addGuard(events, hand.servo.rows[i - 1], hand.servo.rows[i]);

@@ -89,7 +89,7 @@ Result<Player> Player::open(std::shared_ptr<const RecordedRun> run, const Progre
     }
     if (auto whole = player.checkRows(); !whole) return tl::unexpected(whole.error());
     if (auto whole = player.checkStates<SimState>(recorded); !whole) return tl::unexpected(whole.error());
-    for (const RecordedHand& other : recorded.others)
+    for (const HandRecord& other : recorded.others)
         if (auto whole = player.checkStates<HandState>(other); !whole) return tl::unexpected(whole.error());
     player.begin(player.beginningBefore(recorded.begin()));
     return player;
@@ -104,7 +104,7 @@ Result<void> Player::checkRows() const {
         if (!has(hand.recorded->proxy, hand.recorded->proxyStates) ||
             !has(hand.recorded->servo, hand.recorded->servoStates))
             return unusable("the state that it begins with is missing");
-    for (const RecordedHand& other : run_->others)
+    for (const HandRecord& other : run_->others)
         if (!std::ranges::equal(run_->proxyStates, other.proxyStates, {}, &SimStateBytes::row,
                                 &SimStateBytes::row))
             return unusable("the states of its hands are not of the same haptic steps");
@@ -113,7 +113,7 @@ Result<void> Player::checkRows() const {
     return {};
 }
 
-template <class State> Result<void> Player::checkStates(const RecordedHand& recorded) const {
+template <class State> Result<void> Player::checkStates(const HandRecord& recorded) const {
     for (const SimStateBytes& kept : recorded.proxyStates) {
         State state;
         if (!read(kept.used(), state))

@@ -71,7 +71,7 @@ private:
     explicit Player(std::shared_ptr<const RecordedRun> run);
 
     Result<void> checkRows() const;
-    template <class State> Result<void> checkStates(const RecordedHand& hand) const;
+    template <class State> Result<void> checkStates(const HandRecord& hand) const;
     /// Indices of the rows to go on with.
     struct Beginning {
         std::size_t proxy = 0;
@@ -79,7 +79,7 @@ private:
     };
     /// What a replay knows of one hand.
     struct Hand {
-        explicit Hand(const RecordedHand& hand) : recorded(&hand), state(hand.device) {}
+        explicit Hand(const HandRecord& hand) : recorded(&hand), state(hand.device) {}
 
         /// The tick to take next; nullptr after the last.
         const ServoRow* next() const {
@@ -87,7 +87,7 @@ private:
         }
         void count(const ServoRow& row);
 
-        const RecordedHand* recorded;
+        const HandRecord* recorded;
         ServoState state;
         std::size_t nextServo = 0;
         TouchTelemetry touch;

@@ -71,7 +71,7 @@ template <class Row> void writeRows(StringOut& out, const std::vector<Row>& rows
     out.bytes.append(reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Row));
 }
 
-void writeHand(StringOut& out, const RecordedHand& hand) {
+void writeHand(StringOut& out, const HandRecord& hand) {
     writeRows(out, hand.proxy.rows);
     writeRows(out, hand.servo.rows);
     writeStates(out, hand.proxyStates);
@@ -88,7 +88,7 @@ std::string headerOf(const Recording& recording, std::size_t sceneBytes) {
               {"scene_bytes", sceneBytes},
               {"proxy", toJson(run.proxy, run.proxyStates)},
               {"servo", toJson(run.servo, run.servoStates)}};
-    for (const RecordedHand& other : run.others)
+    for (const HandRecord& other : run.others)
         json["others"].push_back({{"device", toJson(other.device)},
                                   {"proxy", toJson(other.proxy, other.proxyStates)},
                                   {"servo", toJson(other.servo, other.servoStates)}});
@@ -194,7 +194,7 @@ private:
         return in;
     }
 
-    void readHand(const Json& json, RecordedHand& hand) {
+    void readHand(const Json& json, HandRecord& hand) {
         hand.device = deviceOf(json.at("device"));
         readRows(json.at("proxy"), hand.proxy);
         readRows(json.at("servo"), hand.servo);
@@ -202,7 +202,7 @@ private:
         readStates(json.at("servo"), hand.servo, hand.servoStates);
     }
 
-    void readOthers(std::vector<RecordedHand>& others) {
+    void readOthers(std::vector<HandRecord>& others) {
         if (!header_.contains("others")) return;
         const Json& hands = header_.at("others");
         if (!hands.is_array() || hands.size() >= std::size_t(kMaxHands))

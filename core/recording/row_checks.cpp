@@ -86,7 +86,7 @@ std::string faultIn(const char* what, const NumberedRows<Row>& rows, double begi
     return {};
 }
 
-std::string faultIn(const RecordedHand& hand, double begin) {
+std::string faultIn(const HandRecord& hand, double begin) {
     if (!checkDevice(hand.device)) return "its device has figures that cannot be";
     std::string fault =
         faultIn("haptic step ", hand.proxy, begin, [](const ProxyRow& row) { return faultIn(row); });
@@ -102,7 +102,7 @@ bool areOfOneStep(const ProxyRow& first, const ProxyRow& other) {
     return first.time == other.time && first.world == other.world;
 }
 
-bool haveTheSameSteps(const RecordedHand& first, const RecordedHand& other) {
+bool haveTheSameSteps(const HandRecord& first, const HandRecord& other) {
     return first.proxy.first == other.proxy.first &&
            std::ranges::equal(first.proxy.rows, other.proxy.rows, areOfOneStep);
 }

@@ -50,7 +50,7 @@ void keepCommonSteps(RecordedRun& run) {
 /// The steps that a replay of all hands may begin with.
 std::vector<std::uint64_t> beginningSteps(const RecordedRun& run) {
     std::vector<std::uint64_t> found = beginnings(run.proxy, run.proxyStates);
-    for (const RecordedHand& other : run.others) {
+    for (const HandRecord& other : run.others) {
         const std::vector<std::uint64_t> its = beginnings(other.proxy, other.proxyStates);
         std::erase_if(found, [&](std::uint64_t row) { return std::ranges::find(its, row) == its.end(); });
     }
@@ -58,7 +58,7 @@ std::vector<std::uint64_t> beginningSteps(const RecordedRun& run) {
 }
 
 /// The first tick of a hand's servo whose model a replay from step `from` on comes to.
-std::uint64_t firstTick(const RecordedHand& hand, std::uint64_t from, double oldest) {
+std::uint64_t firstTick(const HandRecord& hand, std::uint64_t from, double oldest) {
     const bool touched = hand.proxy.end() > 0;
     for (const std::uint64_t row : beginnings(hand.servo, hand.servoStates)) {
         const ServoRow& first = hand.servo.rows[std::size_t(row - hand.servo.first)];
@@ -116,7 +116,7 @@ void trim(RecordedRun& run, double seconds) {
         if (timeOf(row) >= oldest) break;
     }
     for (std::size_t i = 0; i < run.hands(); ++i) {
-        RecordedHand& hand = run.hand(i);
+        HandRecord& hand = run.hand(i);
         // Before the servo's first row come all rows of the proxy that led to its model.
         dropBefore(hand.servo, firstTick(hand, from, oldest));
         dropBefore(hand.proxy, from);

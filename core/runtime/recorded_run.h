@@ -20,7 +20,7 @@ struct RecordedScene {
 };
 
 /// What of one hand is recorded: states at the beginning and now and then, and every row of both loops.
-struct RecordedHand {
+struct HandRecord {
     DeviceInfo device;
     NumberedRows<ProxyRow> proxy;
     NumberedRows<ServoRow> servo;
@@ -30,14 +30,14 @@ struct RecordedHand {
 
 /// A stretch of time that can be stepped through again: the hands, and the scenes that they felt. The states
 /// of the first hand hold what all share, too.
-struct RecordedRun : RecordedHand {
-    std::vector<RecordedHand> others;  ///< the second hand and so on; their steps are those of the first
+struct RecordedRun : HandRecord {
+    std::vector<HandRecord> others;    ///< the second hand and so on; their steps are those of the first
     std::vector<RecordedScene> scenes; ///< each revision once
 
     std::size_t hands() const { return 1 + others.size(); }
     /// i < hands().
-    const RecordedHand& hand(std::size_t i) const { return i == 0 ? *this : others[i - 1]; }
-    RecordedHand& hand(std::size_t i) { return i == 0 ? *this : others[i - 1]; }
+    const HandRecord& hand(std::size_t i) const { return i == 0 ? *this : others[i - 1]; }
+    HandRecord& hand(std::size_t i) { return i == 0 ? *this : others[i - 1]; }
     /// nullptr when there is none of this revision.
     const RecordedScene* sceneOf(std::uint64_t revision) const;
     /// s, on the clock of the rows; 0 for both when nothing was recorded.

@@ -131,7 +131,7 @@ private slots:
         run_ = runOfTwo();
         QCOMPARE(run_.hands(), std::size_t(2));
         for (std::size_t i = 0; i < 2; ++i) {
-            const RecordedHand& hand = run_.hand(i);
+            const HandRecord& hand = run_.hand(i);
             int pressing = 0, pushed = 0;
             for (const ProxyRow& row : hand.proxy.rows)
                 pressing += row.contacts > 0;
