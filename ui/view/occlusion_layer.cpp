@@ -1,20 +1,17 @@
 #include "ui/view/occlusion_layer.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace tactum {
 
 bool OcclusionLayer::setCasters(std::vector<ShadowCaster> casters) {
     std::erase_if(casters, [](const ShadowCaster& caster) { return caster.moves; });
-    const bool same = std::ranges::equal(casters, wanted_, {}, &ShadowCaster::soup, &ShadowCaster::soup);
+    if (casters == wanted_) return false;
     wanted_ = std::move(casters);
-    if (!same) {
-        work_.forget();
-        started_.clear();
-    }
-    if (!work_.pending()) start();
-    if (same || !window_.occlusion().volume()) return false;
+    work_.forget();
+    started_.clear();
+    start();
+    if (!window_.occlusion().volume()) return false;
     window_.occlusion().set(nullptr);
     return true;
 }

@@ -9,8 +9,7 @@
 
 namespace tactum {
 
-/// Baked aside. Until then the one from before stays, if it is of the same shapes at other places. Thread:
-/// ui.
+/// Baked aside. Until then there is none: one of before would be dark where nothing is any more. Thread: ui.
 class OcclusionLayer {
 public:
     explicit OcclusionLayer(GlWindow& window) : window_(window) {}
