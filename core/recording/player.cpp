@@ -180,7 +180,7 @@ void Player::count(const ProxyRow& row) {
 }
 
 void Player::Hand::count(const ServoRow& row) {
-    periods.add(row.time, 1e6 * std::abs(row.dt - 1 / recorded->device.rate));
+    periods.add(row.time, 1e6 * (row.dt - 1 / recorded->device.rate));
     servo.periods = periods.counted();
     servo.misses += (row.flags & ServoRow::Late) != 0;
 }

@@ -11,7 +11,7 @@ namespace tactum {
 namespace {
 
 /// Another one with every change of a member below: who reads an older one would misread it.
-constexpr std::uint32_t kVersion = 4;
+constexpr std::uint32_t kVersion = 5;
 constexpr std::size_t kLongestSentence = 1000;
 
 // Each function names all members of its struct: one more there does not compile here until it has its line.
@@ -104,6 +104,7 @@ template <class Io> void bytes(Io& io, ServoTelemetry& servo) {
     io(misses), io(machineMisses);
     for (std::uint32_t& count : periods.count)
         io(count);
+    io(periods.longest);
     io(clamped), io(invalid), io(gain), io(faults), io(pauses), io(oscillations), io(stiffnessScale);
     choose(io, inhibit, kInhibitReasons), choose(io, lastPause, kInhibitReasons);
     io(heat), io(energy), io(passivityDamping), io(rendered), io(grasped), io(doubted);

@@ -1,7 +1,9 @@
 // How regular a loop's ticks are: counts of their deviations, for the display.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -13,12 +15,15 @@ struct PeriodHistogram {
     static constexpr std::array<double, 11> kBounds{2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000};
 
     std::array<std::uint32_t, kBounds.size() + 1> count{};
+    double longest = 0; ///< microseconds that the longest period was longer than it should be
 
-    void add(double micros) noexcept {
+    /// `deviation` in microseconds, of a period that was too short below 0.
+    void add(double deviation) noexcept {
         std::size_t bin = 0;
-        while (bin < kBounds.size() && micros > kBounds[bin])
+        while (bin < kBounds.size() && std::abs(deviation) > kBounds[bin])
             ++bin;
         ++count[bin];
+        longest = std::max(longest, deviation);
     }
     /// The bound below which a part of the ticks lies, in microseconds; for the last bin twice its begin: it
     /// has none.
@@ -38,19 +43,20 @@ class RecentPeriods {
 public:
     static constexpr double kPeriodWindow = 5; ///< s
 
-    /// `now` in s, never falling.
-    void add(double now, double micros) noexcept {
+    /// `now` in s, never falling; the rest as above.
+    void add(double now, double deviation) noexcept {
         if (now - begin_ >= kPeriodWindow) {
             older_ = now - begin_ < 2 * kPeriodWindow ? newer_ : PeriodHistogram{};
             newer_ = {};
             begin_ = now;
         }
-        newer_.add(micros);
+        newer_.add(deviation);
     }
     PeriodHistogram counted() const noexcept {
         PeriodHistogram both = older_;
         for (std::size_t bin = 0; bin < both.count.size(); ++bin)
             both.count[bin] += newer_.count[bin];
+        both.longest = std::max(both.longest, newer_.longest);
         return both;
     }
 

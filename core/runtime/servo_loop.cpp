@@ -97,7 +97,7 @@ void reportTick(Servo& servo, const ServoOutput& output, const Tick& tick, doubl
     note(telemetry, output, servo.state);
     telemetry.rate = servo.jitter.rate();
     telemetry.jitterMicros = servo.jitter.worst();
-    servo.periods.add(tick.time, 1e6 * std::abs(tick.elapsed - period));
+    servo.periods.add(tick.time, 1e6 * (tick.elapsed - period));
     telemetry.periods = servo.periods.counted();
     servo.channels.servoTelemetry.write(telemetry);
     // A full queue means that nobody draws plots: the tick is dropped.

@@ -6460,6 +6460,10 @@ der Grenze rendern</translation>
             <translation>Die Protokolle kommen neben %1.</translation>
         </message>
         <message>
+            <source>The longest time between two ticks of the servo in the last seconds: so long the force stood still. After %1 ms it is taken away until the ticks come again.</source>
+            <translation>Die längste Zeit zwischen zwei Takten des Servos in den letzten Sekunden: So lange stand die Kraft still. Nach %1 ms wird sie weggenommen, bis die Takte wieder kommen.</translation>
+        </message>
+        <message>
             <source>The loops run with no real-time priority</source>
             <translation>Die Schleifen laufen ohne Echtzeitpriorität</translation>
         </message>
@@ -7638,6 +7642,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Workspace</source>
             <translation>Arbeitsraum</translation>
+        </message>
+        <message>
+            <source>Worst gap</source>
+            <translation>Längste Lücke</translation>
         </message>
         <message>
             <source>Write the plot as CSV, PNG or SVG</source>

@@ -6,6 +6,7 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "core/safety/force_gate.h"
 #include "core/safety/motor_heat.h"
 #include "core/safety/passivity.h"
 #include "ui/base/numbers.h"
@@ -114,6 +115,10 @@ void HealthPanel::addLoops() {
     proxy_ = figure(QStringLiteral("health-proxy"),
                     tr("Updates a second of the loop that moves the proxy, and how many there should be. "
                        "Fewer: the scene is heavy. The force stays smooth; details come later."));
+    gap_ = figure(QStringLiteral("health-gap"),
+                  tr("The longest time between two ticks of the servo in the last seconds: so long the force "
+                     "stood still. After %1 ms it is taken away until the ticks come again.")
+                      .arg(numberText(1e3 * kStall, 0)));
     late_ = sentence(
         QStringLiteral("health-late"),
         tr("Ticks that came more than a period late. The machine's are those in which the loop itself had "
@@ -124,6 +129,7 @@ void HealthPanel::addLoops() {
            "but the nearest planes. What was left out comes back by itself. Hide objects to help it."));
     addRow(rows, tr("Servo"), servo_);
     addRow(rows, tr("Proxy"), proxy_);
+    addRow(rows, tr("Worst gap"), gap_);
     rows->addWidget(late_);
     rows->addWidget(fidelity_);
     rows->addStretch();
@@ -238,6 +244,7 @@ void HealthPanel::displayLoops(const ServoTelemetry& servo, const ProxyTelemetry
                                const DeviceInfo& device) {
     servo_->setText(healthRateText(servo.rate, device.rate));
     proxy_->setText(healthRateText(proxy.rate, kUpdatesPerTick * device.rate));
+    gap_->setText(tr("%1 ms").arg(numberText(1e3 / device.rate + 1e-3 * servo.periods.longest, 1)));
     late_->setText(tr("Late ticks: %1").arg(lateWords(servo, recorded_)));
     QString words = fidelityWords(proxy.fidelity);
     if (proxy.stepsDown > 0)

@@ -60,7 +60,7 @@ private:
     std::vector<QWidget*> sections_;
     int columns_ = 0;
     bool recorded_ = false;
-    QLabel *servo_, *proxy_, *late_, *fidelity_;
+    QLabel *servo_, *proxy_, *gap_, *late_, *fidelity_;
     QLabel* spread_;
     PeriodChart* periods_;
     QLabel *energy_, *damping_, *heat_;

@@ -170,8 +170,12 @@ private slots:
         QCOMPARE(periods.counted().quantile(0.999), 5.0);
         tick(0.1, 1500);
         QCOMPARE(periods.counted().quantile(0.999), 2000.0);
+        QCOMPARE(periods.counted().longest, 1500.0);
+        tick(0.1, -990); // too short is no gap
+        QCOMPARE(periods.counted().longest, 1500.0);
         tick(2 * RecentPeriods::kPeriodWindow, 3);
         QCOMPARE(periods.counted().quantile(0.999), 5.0);
+        QCOMPARE(periods.counted().longest, 3.0);
         std::uint64_t ticks = 0;
         for (const std::uint32_t count : periods.counted().count)
             ticks += count;

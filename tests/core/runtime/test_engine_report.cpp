@@ -49,7 +49,8 @@ EngineReport full() {
     servo.finger = {31, 32, 33}, servo.force = {34, 35, 36}, servo.handle_D = {37, 38, 39};
     servo.frame = {40, {-3, 2, 1}, {41, 42, 43}};
     servo.buttons = 44, servo.ticks = 45, servo.rate = 46, servo.jitterMicros = 47, servo.misses = 48;
-    servo.machineMisses = 49, servo.periods.count[3] = 50, servo.clamped = 51, servo.invalidSamples = 52;
+    servo.machineMisses = 49, servo.periods.count[3] = 50, servo.periods.longest = 75, servo.clamped = 51,
+    servo.invalidSamples = 52;
     servo.inhibit = InhibitReason::Stopped, servo.gain = 0.75, servo.faults = 53, servo.pauses = 54;
     servo.lastPause = InhibitReason::Stall, servo.oscillations = 55, servo.stiffnessScale = 0.5;
     servo.heat = 56, servo.energy = 57, servo.passivityDamping = 58, servo.rendered = 59;
@@ -100,6 +101,7 @@ private slots:
         QCOMPARE(read->world.stepsDown, 30u);
         QCOMPARE(hand.servo.handle_D, Vec3(37, 38, 39));
         QCOMPARE(hand.servo.periods.count[3], 50u);
+        QCOMPARE(hand.servo.periods.longest, 75.0);
         QCOMPARE(hand.servo.lastPause, InhibitReason::Stall);
         QCOMPARE(hand.servo.ceiling.damping, 61.0);
         QCOMPARE(hand.trace.size(), 2u);

@@ -206,6 +206,7 @@ void TestHealth::figuresFollowTheTelemetry() {
     servo.rate = 987;
     servo.misses = 15;
     servo.machineMisses = 12;
+    servo.periods.add(7440);
     servo.heat = 0.25;
     servo.energy = 4.2e-4;
     ProxyTelemetry proxy;
@@ -214,6 +215,7 @@ void TestHealth::figuresFollowTheTelemetry() {
     QCOMPARE(text("health-servo"), QStringLiteral("987 of 1000 Hz"));
     QCOMPARE(text("health-proxy"), QStringLiteral("12.3k of 2000 Hz"));
     QCOMPARE(text("health-late"), QStringLiteral("Late ticks: 3 of our own, 12 of the machine's"));
+    QCOMPARE(text("health-gap"), QStringLiteral("8.4 ms"));
     QCOMPARE(text("health-energy"), QStringLiteral("0.42 mJ"));
     QCOMPARE(text("health-damping"), QStringLiteral("0.0 N s/m"));
     QCOMPARE(text("health-heat"), QStringLiteral("25 % warm"));
