@@ -9,12 +9,12 @@
 #include <cmath>
 #include <limits>
 
-#include "ui/base/words.h"
 #include "ui/controllers/arming.h"
 #include "ui/controllers/command_reasons.h"
 #include "ui/controllers/folds.h"
 #include "ui/document/document.h"
 #include "ui/engine/device_link.h"
+#include "ui/engine/hand_name.h"
 #include "ui/engine/usb_permission.h"
 #include "ui/engine/world_publisher.h"
 #include "ui/panels/device_connect.h"
@@ -132,7 +132,7 @@ void DeviceController::showHands() {
     Hands& hands = link_.hands();
     const auto markOf = [&](std::size_t hand) {
         return HandMark{.number = hand,
-                        .name = wordsOf(hands.device(hand).name),
+                        .name = handName(hands, hand),
                         .led = link_.simulatedHand() == hand || hands.count() == 1};
     };
     std::vector<HandBeside> beside;

@@ -7,6 +7,7 @@
 #include "core/port/own_limit.h"
 #include "ui/base/preferences.h"
 #include "ui/base/words.h"
+#include "ui/engine/hand_name.h"
 
 namespace tactum {
 
@@ -137,7 +138,7 @@ bool DeviceLink::isLost(std::size_t hand) {
 }
 
 void DeviceLink::lose(std::size_t hand) {
-    const QString name = wordsOf(hands_.device(hand).name);
+    const QString name = handName(hands_, hand);
     used_[hand].gone = true;
     if (hand == 0) {
         lostName_ = name;

@@ -6,7 +6,7 @@
 #include "core/safety/inhibit_words.h"
 #include "core/safety/motor_heat.h"
 #include "ui/base/numbers.h"
-#include "ui/base/words.h"
+#include "ui/engine/hand_name.h"
 #include "ui/engine/health_words.h"
 
 namespace tactum {
@@ -94,7 +94,7 @@ QString GuardWatch::faultSentences() const {
 
 QString GuardWatch::namedOf(std::size_t hand, const QString& words) const {
     if (hands_.count() == 1) return words;
-    return QStringLiteral("%1: %2").arg(wordsOf(hands_.device(hand).name), words);
+    return QStringLiteral("%1: %2").arg(handName(hands_, hand), words);
 }
 
 // The guard itself keeps a fault until it is disarmed, so none passes between two frames.

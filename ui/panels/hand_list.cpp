@@ -7,8 +7,8 @@
 
 #include "ui/base/hand_colours.h"
 #include "ui/base/style.h"
-#include "ui/base/words.h"
 #include "ui/engine/device_link.h"
+#include "ui/engine/hand_name.h"
 #include "ui/widgets/columns.h"
 
 namespace tactum {
@@ -67,9 +67,9 @@ void HandList::display() {
 QString HandList::textOf(std::size_t hand) const {
     const Hands& hands = link_.hands();
     return QStringLiteral("%1 \u00b7 %2")
-        .arg(wordsOf(hands.device(hand).name), link_.gone(hand)    ? tr("not there any more")
-                                               : hands.armed(hand) ? tr("forces on")
-                                                                   : tr("forces off"));
+        .arg(handName(hands, hand), link_.gone(hand)    ? tr("not there any more")
+                                    : hands.armed(hand) ? tr("forces on")
+                                                        : tr("forces off"));
 }
 
 void HandList::addRow() {

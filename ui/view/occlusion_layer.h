@@ -22,11 +22,9 @@ public:
     bool takeFinished();
 
 private:
-    void start();
-
     GlWindow& window_;
     Aside<std::optional<OcclusionVolume>> work_;
-    std::vector<ShadowCaster> wanted_, started_;
+    std::vector<ShadowCaster> wanted_;
 };
 
 } // namespace tactum

@@ -49,6 +49,10 @@ void TestConnectedHands::everyHandIsThere() {
     here.command("device-panel").trigger();
     QVERIFY(waitFor([&] { return rows->isVisible() && row("hand-1") && row("hand-1")->isVisible(); }));
     QVERIFY(row("hand-0")->isChecked());
+    // They are of one name, so that each has its number.
+    for (const int hand : {0, 1})
+        COMPARE_BEGINS(row(hand == 0 ? "hand-0" : "hand-1")->text(),
+                       QStringLiteral("Simulated hand %1 \u00b7 ").arg(hand + 1));
     QVERIFY(!row("hand-remove-1")->isVisible()); // it is the server's
     QAction& armed = here.command("armed");
     if (!armed.isChecked()) armed.trigger();
