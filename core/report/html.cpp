@@ -1,6 +1,7 @@
 #include "core/report/html.h"
 
 #include <charconv>
+#include <numbers>
 
 #include "core/base/text.h"
 #include "core/presets/base64.h"
@@ -74,6 +75,12 @@ std::string picture(std::string_view mimeType, std::string_view bytes, std::stri
 std::string readable(double value) {
     char text[32];
     return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, kDigits).ptr};
+}
+
+Quantity quantity(double value, std::string_view unit) {
+    if (unit == "m") return {readable(1e3 * value), "mm"};
+    if (unit == "rad") return {readable(value * 180 / std::numbers::pi), "\u00b0"};
+    return {readable(value), std::string(unit)};
 }
 
 } // namespace tactum

@@ -25,4 +25,10 @@ std::string picture(std::string_view mimeType, std::string_view bytes, std::stri
 /// At most six digits: more than a person reads.
 std::string readable(double value);
 
+/// A value of so much of an SI unit as people write it: lengths in mm, angles in degrees.
+struct Quantity {
+    std::string number, unit;
+};
+Quantity quantity(double value, std::string_view unit);
+
 } // namespace tactum

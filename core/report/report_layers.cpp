@@ -15,7 +15,8 @@ namespace {
 constexpr int kWidth = 480, kHeight = 360, kPatternPixels = 128; // pixels
 
 std::string withUnit(const ParameterDescription& parameter) {
-    return readable(parameter.value) + (parameter.unit.empty() ? "" : " ") + std::string(parameter.unit);
+    const auto [number, unit] = quantity(parameter.value, parameter.unit);
+    return number + (unit.empty() ? "" : " ") + unit;
 }
 
 Row rowOf(const LayerDescription& layer) {

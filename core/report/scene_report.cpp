@@ -50,6 +50,7 @@ std::string sizeOf(const Bounds& box) {
 
 /// How hands get beyond their device's workspace.
 std::string wordsOf(const Reach& reach) {
+    if (reach.mode == ReachMode::Position) return "as far as the device's workspace";
     const std::string words(kReachChoices[std::size_t(reach.mode)].label);
     return reach.mode == ReachMode::Rate ? words + ", " + readable(1e3 * reach.shell) + " mm" : words;
 }
@@ -86,14 +87,16 @@ void appendValues(std::vector<Row>& rows, const SceneObject& object, const Surfa
         const Parameter& parameter = *field.parameter;
         const double value = surface.material.*field.value;
         if (value == parameter.initial) continue;
+        const auto [number, unit] = quantity(value, parameter.unit);
         rows.push_back(rowOf(object, surface,
-                             {std::string(parameter.label), readable(value), std::string(parameter.unit),
-                              readable(parameter.initial), source(parameter.key)}));
+                             {std::string(parameter.label), number, unit,
+                              quantity(parameter.initial, parameter.unit).number, source(parameter.key)}));
     }
-    if (surface.shading.on)
+    if (surface.shading.on) {
+        const auto [number, unit] = quantity(surface.shading.creaseAngle, "rad");
         rows.push_back(rowOf(object, surface,
-                             {"Force shading", "crease angle " + readable(surface.shading.creaseAngle), "rad",
-                              "off", source(kShadingPart)}));
+                             {"Force shading", "crease angle " + number, unit, "off", source(kShadingPart)}));
+    }
     if (surface.sides != Sides::Both)
         rows.push_back(rowOf(
             object, surface,

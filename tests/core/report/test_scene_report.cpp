@@ -111,11 +111,10 @@ void TestSceneReport::valuesAreTheScenes() {
     scene.objects.front().surfaces.front().shading.on = true;
     const ReadReport report = reportOf(subjectOf(scene));
     QCOMPARE(report.read["title"].toString(), QStringLiteral("plate.glb"));
-    QCOMPARE(
-        report.rowsOf(QStringLiteral("plate: top")),
-        (QList<QStringList>{{"plate: top", "Stiffness", "350.5", "N/m", "800", ""},
-                            {"plate: top", "Static friction", "0.62", "", "0", ""},
-                            {"plate: top", "Force shading", "crease angle 0.872665", "rad", "off", ""}}));
+    QCOMPARE(report.rowsOf(QStringLiteral("plate: top")),
+             (QList<QStringList>{{"plate: top", "Stiffness", "350.5", "N/m", "800", ""},
+                                 {"plate: top", "Static friction", "0.62", "", "0", ""},
+                                 {"plate: top", "Force shading", "crease angle 50", "\u00b0", "off", ""}}));
     QCOMPARE(report.rowsOf(QStringLiteral("File's SHA-256")),
              (QList<QStringList>{{"File's SHA-256", "0123abcd"}}));
     QCOMPARE(report.rowsOf(QStringLiteral("Size")), (QList<QStringList>{{"Size", "120 x 8 x 120 mm"}}));
@@ -124,7 +123,7 @@ void TestSceneReport::valuesAreTheScenes() {
         reaching.reach = reach;
         return reportOf(subjectOf(reaching)).rowsOf(QStringLiteral("Reach of the hand")).value(0).value(1);
     };
-    QCOMPARE(reachOf({}), QStringLiteral("Position"));
+    QCOMPARE(reachOf({}), QStringLiteral("as far as the device's workspace"));
     QCOMPARE(reachOf({ReachMode::Drift, 0.02}), QStringLiteral("Drift"));
     QCOMPARE(reachOf({ReachMode::Rate, 0.02}), QStringLiteral("Rate control beyond the shell, 20 mm"));
     scene.objects.front().surfaces.front() = Surface();
@@ -185,6 +184,8 @@ void TestSceneReport::layersComeWithPictures() {
                 ++layers;
                 const auto rows = report.rowsOf(QString::fromStdString(layer.name));
                 QVERIFY2(!rows.isEmpty(), layer.name.c_str());
+                if (layer.target == TextureTarget::Height)
+                    COMPARE_CONTAINS(rows.front()[4], QStringLiteral(" mm"));
                 COMPARE_CONTAINS(report.pictures().join(u'\n'),
                                  QStringLiteral("image/png: Layer ") + QString::fromStdString(layer.name));
             }
