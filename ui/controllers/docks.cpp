@@ -76,7 +76,8 @@ void sizeDocks(QMainWindow& window) {
     const auto dock = [&](const char* name) {
         return window.findChild<QDockWidget*>(QString::fromLatin1(name));
     };
-    window.resizeDocks({dock("dock-outliner"), dock("dock-inspector")}, {216, 284}, Qt::Horizontal);
+    window.resizeDocks({dock("dock-outliner"), dock("dock-inspector")}, {kLeftDocks, kRightDocks},
+                       Qt::Horizontal);
     window.resizeDocks({dock("dock-outliner"), dock("dock-presets")}, {300, 360}, Qt::Vertical);
     window.resizeDocks({dock("dock-plot")}, {216}, Qt::Vertical);
 }

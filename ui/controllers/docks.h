@@ -7,6 +7,9 @@ class QDockWidget;
 
 namespace tactum {
 
+/// Pixels, as wide as the panels beside the view begin.
+inline constexpr int kLeftDocks = 216, kRightDocks = 284;
+
 class BodyPanel;
 class Document;
 class ForcePlot;

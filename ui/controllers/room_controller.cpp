@@ -7,6 +7,7 @@
 #include <QShortcut>
 
 #include "core/runtime/engine.h"
+#include "ui/controllers/dock_widths.h"
 #include "ui/controllers/folds.h"
 #include "ui/showing/playback.h"
 #include "ui/view/scene_view.h"
@@ -16,12 +17,12 @@ namespace tactum {
 namespace {
 
 const QString kGeometryKey = QStringLiteral("window/geometry"), kStateKey = QStringLiteral("window/state"),
-              kFoldedKey = QStringLiteral("window/folded");
+              kFoldedKey = QStringLiteral("window/folded"), kWidthsKey = QStringLiteral("window/widths");
 
 } // namespace
 
 RoomController::RoomController(const Workbench& bench, Folds& folds)
-    : QObject(&bench.window), bench_(bench), folds_(folds) {
+    : QObject(&bench.window), bench_(bench), folds_(folds), widths_(*new DockWidths(bench.window)) {
     QAction& panels = bench.actions["panels"];
     connect(&panels, &QAction::toggled, this, &RoomController::hidePanels);
     // Only while the view has the focus: elsewhere Tab moves on, as everybody expects of it.
@@ -52,6 +53,7 @@ void RoomController::restore() {
     const QSettings settings;
     bench_.window.restoreGeometry(settings.value(kGeometryKey).toByteArray());
     bench_.window.restoreState(settings.value(kStateKey).toByteArray());
+    widths_.restore(settings.value(kWidthsKey).toList());
     plots_ = settings.contains(kFoldedKey) ? Plots::AsDecided : Plots::Empty;
     folds_.restore(plots_ == Plots::AsDecided ? settings.value(kFoldedKey).toStringList()
                                               : QStringList{QStringLiteral("dock-plot")});
@@ -61,6 +63,7 @@ void RoomController::save() const {
     QSettings settings;
     settings.setValue(kGeometryKey, bench_.window.saveGeometry());
     settings.setValue(kStateKey, hidesPanels() ? shownPanels_ : bench_.window.saveState());
+    settings.setValue(kWidthsKey, widths_.widths());
     if (plots_ == Plots::AsDecided)
         settings.setValue(kFoldedKey, hidesPanels() ? foldedPanels_ : folds_.names());
 }

@@ -9,6 +9,7 @@
 
 namespace tactum {
 
+class DockWidths;
 class Folds;
 
 /// Thread: ui.
@@ -38,6 +39,7 @@ private:
 
     Workbench bench_;
     Folds& folds_;
+    DockWidths& widths_;
     Plots plots_ = Plots::Empty;
     bool clearedForStart_ = false;
     bool grabbed_ = false;     ///< the finger in the view

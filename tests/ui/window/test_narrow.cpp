@@ -92,6 +92,7 @@ private slots:
     void whatHasNoRoomIsInAMenu();
     void rowsOfToolsGoOnBelow();
     void theRatesGiveWay();
+    void thePanelsGetTheirRoomBack();
 };
 
 void TestNarrow::theForcesAreInReach_data() {
@@ -206,6 +207,46 @@ void TestNarrow::theRatesGiveWay() {
         QVERIFY2(shows(name), name);
     program.window->resize(1500, 800);
     QTRY_VERIFY_WITH_TIMEOUT(shows("status-proxy"), kPatience);
+}
+
+void TestNarrow::thePanelsGetTheirRoomBack() {
+    TouchedWindow program({1280, 800});
+    QVERIFY(program.open(writeCube(folder_)));
+    const auto widthOf = [&](const char* name) {
+        return program.window->findChild<QDockWidget*>(QLatin1String(name))->width();
+    };
+    const auto resize = [&](const QSize& size) {
+        program.window->resize(size);
+        QCoreApplication::processEvents(); // of a hand that draws at the window's corner many come
+    };
+    resize({1280, 800});
+    const int left = widthOf("dock-outliner"), right = widthOf("dock-inspector");
+    resize({640, 480});
+    QTRY_COMPARE_LT_WITH_TIMEOUT(widthOf("dock-inspector"), right, kPatience);
+    resize({1280, 800});
+    QTRY_COMPARE_WITH_TIMEOUT(widthOf("dock-inspector"), right, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(widthOf("dock-outliner"), left, kPatience);
+    // A person draws the line between view and panel, while another tab is in front.
+    program.window->findChild<QDockWidget*>(QStringLiteral("dock-layers"))->raise();
+    program.frames(5);
+    const auto* dock = program.window->findChild<QDockWidget*>(QStringLiteral("dock-layers"));
+    const QPoint line = dock->mapTo(program.window.get(), QPoint(-2, dock->height() / 2));
+    QTest::mousePress(program.window->windowHandle(), Qt::LeftButton, {}, line);
+    for (int step = 1; step <= 8; ++step)
+        QTest::mouseMove(program.window->windowHandle(), line - QPoint(5 * step, 0));
+    QTest::mouseRelease(program.window->windowHandle(), Qt::LeftButton, {}, line - QPoint(40, 0));
+    QTRY_COMPARE_WITH_TIMEOUT(dock->width(), right + 40, kPatience);
+    resize({640, 480});
+    QTRY_COMPARE_LT_WITH_TIMEOUT(dock->width(), right, kPatience);
+    resize({1280, 800});
+    QTRY_COMPARE_WITH_TIMEOUT(dock->width(), right + 40, kPatience);
+    // Also when it was left while it was small.
+    resize({640, 480});
+    program.window->close();
+    TouchedWindow again({1280, 800});
+    QVERIFY(again.open(writeCube(folder_)));
+    const auto* front = again.window->findChild<QDockWidget*>(QStringLiteral("dock-layers"));
+    QTRY_COMPARE_WITH_TIMEOUT(front->width(), right + 40, kPatience);
 }
 
 TACTUM_GUI_TEST(TestNarrow)
