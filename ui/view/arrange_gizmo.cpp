@@ -13,6 +13,7 @@ namespace {
 
 using enum ArrangeHandle;
 
+constexpr double kAmountEdge = 4; ///< of the picture, which the numbers keep away from
 constexpr double kArrow = 92, kArrowGap = 16, kTurnRing = 66, kOuter = 116; // pixels
 constexpr double kPlaneNear = 24, kPlaneFar = 42;
 constexpr double kFine = 0.1;
@@ -76,9 +77,17 @@ QPolygonF outerRing(QPointF centre) {
     return circle;
 }
 
-void drawAmount(QPainter& painter, QPointF at, const QString& words, const Theme& theme) {
+/// Beside what is moved, but whole in a picture of that size.
+void drawAmount(QPainter& painter, QPointF at, const QSizeF& picture, const QString& words,
+                const Theme& theme) {
     const QFontMetricsF metrics(painter.font());
-    const QRectF box(at, QSizeF(metrics.horizontalAdvance(words) + 14, metrics.height() + 6));
+    const QSizeF size(metrics.horizontalAdvance(words) + 14, metrics.height() + 6);
+    const auto within = [](double from, double length, double room) {
+        return std::max(kAmountEdge, std::min(from, room - length - kAmountEdge));
+    };
+    const QRectF box(QPointF(within(at.x(), size.width(), picture.width()),
+                             within(at.y(), size.height(), picture.height())),
+                     size);
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme.label);
     painter.drawRoundedRect(box, 0.5 * box.height(), 0.5 * box.height());
@@ -245,7 +254,8 @@ void ArrangeGizmo::draw(QPainter& painter, const ViewCamera& camera, const Theme
         else
             painter.drawEllipse(*shape.dot, 5.0, 5.0);
     }
-    if (held_ && now) drawAmount(painter, *centre + QPointF(kOuter + 8, -10), words(*now, camera), theme);
+    if (held_ && now)
+        drawAmount(painter, *centre + QPointF(kOuter + 8, -10), camera.size, words(*now, camera), theme);
     painter.restore();
 }
 

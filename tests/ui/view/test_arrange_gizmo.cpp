@@ -2,10 +2,12 @@
 #include <cmath>
 #include <numbers>
 
+#include <QImage>
+#include <QPainter>
 #include <QTest>
 
 #include "tests/support/compare.h"
-#include "tests/support/test_program.h"
+#include "tests/support/gui_test_program.h"
 #include "ui/view/arrange_gizmo.h"
 
 namespace test_arrange_gizmo {
@@ -56,6 +58,25 @@ struct Drag {
     Arrangement to(const Vec3& p_W, bool snapped = false) { return by(c.project(p_W).value() - at, snapped); }
     QPointF at;
 };
+
+constexpr int kAround = 300; ///< pixels about the picture, which nothing clips
+
+QImage drawn(const Drag& drag, const std::optional<Arrangement>& now) {
+    QImage image(drag.c.size.toSize() + 2 * QSize(kAround, kAround), QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.translate(kAround, kAround);
+    drag.gizmo.draw(painter, drag.c, themeFor(true), drag.at, now);
+    return image;
+}
+
+QRect differing(const QImage& a, const QImage& b) {
+    QRect all;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            if (a.pixel(x, y) != b.pixel(x, y)) all |= QRect(x, y, 1, 1);
+    return all;
+}
 
 double angleOf(const Arrangement& by) {
     return Eigen::AngleAxisd(by.turn).angle();
@@ -189,9 +210,21 @@ private slots:
         drag.gizmo.letGo();
         QVERIFY(drag.gizmo.dragged(drag.c, false, false).changesNothing());
     }
+
+    // Beside the handles where there is room, else farther in: a pane cuts off what is outside of it.
+    void itsNumbersStayInThePicture() {
+        for (const QPointF& to : {QPointF(400, 300), QPointF(795, 300), QPointF(5, 5), QPointF(795, 595)}) {
+            Drag drag{Move};
+            drag.c.pan(to - *drag.c.project(frame().translation));
+            const Arrangement now = drag.by({2, 1});
+            const QRect numbers = differing(drawn(drag, now), drawn(drag, std::nullopt));
+            QVERIFY(!numbers.isEmpty());
+            QVERIFY(QRect({kAround, kAround}, drag.c.size.toSize()).contains(numbers));
+        }
+    }
 };
 
-TACTUM_TEST(TestArrangeGizmo)
+TACTUM_GUI_TEST(TestArrangeGizmo)
 
 } // namespace test_arrange_gizmo
 
