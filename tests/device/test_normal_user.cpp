@@ -1,6 +1,7 @@
 // A person without any right who holds a surface on a busy machine: what arrives at the device, tick by tick.
 // The machine is made busy by others with the same rights, twice as many as it has processors. What would
-// show that this is wrong: a device that is asked by itself, or a load that leaves a processor free.
+// show that this is wrong: a device that is asked by itself, or a load that leaves a processor free. A kernel
+// without autogroups schedules any session alike, and cannot tell a device watchdog that has one of its own.
 #include <csignal>
 #include <cstring>
 
@@ -8,9 +9,9 @@
 
 #include "core/runtime/local_engine.h"
 #include "core/safety/inhibit_words.h"
-#include "device/simulated_hand.h"
 #include "tests/core/loop/seen_thread.h"
 #include "tests/support/compare.h"
+#include "tests/support/guarded_hand.h"
 #include "tests/support/hand.h"
 #include "tests/support/repeats.h"
 #include "tests/support/test_program.h"
@@ -35,17 +36,10 @@ struct Held {
     double seconds = 0, withForce = 0, worstGap = 0;
 };
 
-/// A guarded device that keeps the time.
-class TimedHand final : public HapticDevice {
+/// Keeps the time.
+class TimedHand final : public GuardedHand {
 public:
-    explicit TimedHand(std::shared_ptr<HandTarget> target) : hand_(std::move(target)) {}
-    DeviceInfo info() const override {
-        DeviceInfo info = hand_.info();
-        info.real = true;
-        return info;
-    }
-    Result<void> open() override { return hand_.open(); }
-    void close() override { hand_.close(); }
+    using GuardedHand::GuardedHand;
     DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override {
         const Clock::time_point now = Clock::now();
         if (counts.load(std::memory_order_acquire)) {
@@ -56,27 +50,16 @@ public:
         }
         last_ = now;
         pushed_ = command.force.norm() > kLeastForce;
-        return hand_.exchange(command, dt);
+        return GuardedHand::exchange(command, dt);
     }
 
     std::atomic<bool> counts{false};
     double seconds = 0, withForce = 0, worstGap = 0; ///< since it counts; to be read after the loops
 
 private:
-    SimulatedHand hand_;
     Clock::time_point last_;
     bool pushed_ = false;
 };
-
-std::shared_ptr<const World> plate() {
-    Scene scene;
-    scene.proxyRadius = 1e-3;
-    SceneObject object;
-    object.geometry = sheet(0.1);
-    object.surfaces.resize(1);
-    scene.add(object);
-    return compile(scene).value();
-}
 
 /// As a window does, for so long.
 void hold(LocalEngine& engine, double seconds) {
@@ -96,7 +79,7 @@ Held heldFor(double seconds) {
     auto timed = std::make_unique<TimedHand>(target);
     TimedHand& device = *timed;
     LocalEngine engine(std::move(timed));
-    engine.publish(plate());
+    engine.publish(worldOf(sheet(0.1), Material()));
     held.started = engine.start().has_value();
     engine.setArmed(true);
     hold(engine, 0.5 * kSettles);

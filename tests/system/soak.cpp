@@ -9,7 +9,7 @@
 #include "core/haptics/compile.h"
 #include "core/runtime/local_engine.h"
 #include "core/safety/inhibit_words.h"
-#include "device/simulated_hand.h"
+#include "tests/support/guarded_hand.h"
 #include "tests/support/hand.h"
 #include "tests/support/page_faults.h"
 
@@ -19,25 +19,6 @@ using namespace tactum::test;
 namespace {
 
 constexpr double kWarmUp = 5, kFrame = 1.0 / 60, kSwap = 2; // s
-
-/// Guarded by a process of its own, as a real device is.
-class GuardedHand final : public HapticDevice {
-public:
-    explicit GuardedHand(std::shared_ptr<HandTarget> target) : hand_(std::move(target)) {}
-    DeviceInfo info() const override {
-        DeviceInfo info = hand_.info();
-        info.real = true;
-        return info;
-    }
-    Result<void> open() override { return hand_.open(); }
-    void close() override { hand_.close(); }
-    DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override {
-        return hand_.exchange(command, dt);
-    }
-
-private:
-    SimulatedHand hand_;
-};
 
 /// Hills of 10 cm by 10 cm with about so many triangles.
 Soup hills(double triangles, double phase) {

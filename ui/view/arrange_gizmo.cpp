@@ -13,7 +13,7 @@ namespace {
 
 using enum ArrangeHandle;
 
-constexpr double kAmountEdge = 4; ///< of the picture, which the numbers keep away from
+constexpr double kAmountEdge = 4; ///< pixels, that the numbers keep from the edge of the picture
 constexpr double kArrow = 92, kArrowGap = 16, kTurnRing = 66, kOuter = 116; // pixels
 constexpr double kPlaneNear = 24, kPlaneFar = 42;
 constexpr double kFine = 0.1;

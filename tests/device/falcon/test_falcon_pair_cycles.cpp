@@ -9,13 +9,12 @@
 
 #include <QTest>
 
-#include "core/haptics/compile.h"
 #include "core/runtime/local_engine.h"
 #include "tests/core/runtime/patience.h"
 #include "tests/device/falcon/falcon_bench.h"
 #include "tests/support/compare.h"
+#include "tests/support/hand.h"
 #include "tests/support/repeats.h"
-#include "tests/support/soups.h"
 #include "tests/support/test_program.h"
 
 namespace test_falcon_pair_cycles {
@@ -30,16 +29,6 @@ constexpr double kHurry = 1000;
 constexpr FalconBody::Hand kQuickHand{.mass = 0.15, .stiffness = 1e5, .damping = 250, .speed = 20};
 constexpr int kSome = 10; ///< readings and commands: more than chance
 
-std::shared_ptr<const World> plate() {
-    Scene scene;
-    scene.proxyRadius = 1e-3;
-    SceneObject object;
-    object.geometry = sheet(0.1);
-    object.surfaces.resize(1);
-    scene.add(object);
-    return compile(scene).value();
-}
-
 class Pair {
 public:
     explicit Pair(unsigned seed) : random_(seed) {
@@ -49,7 +38,7 @@ public:
     /// The first sentence that something is wrong; empty when both run.
     std::string start() {
         engine_ = std::make_unique<LocalEngine>(ready(0).value());
-        engine_->publish(plate());
+        engine_->publish(worldOf(sheet(0.1), Material()));
         if (auto started = engine_->start(); !started) return started.error().text;
         of_ = {0};
         return add(1);
