@@ -168,10 +168,12 @@ private slots:
         };
         tick(3600, 3);
         QCOMPARE(periods.counted().quantile(0.999), 5.0);
+        tick(0.1, -990); // too short is no gap
+        QCOMPARE(periods.counted().longest, 3.0);
         tick(0.1, 1500);
         QCOMPARE(periods.counted().quantile(0.999), 2000.0);
         QCOMPARE(periods.counted().longest, 1500.0);
-        tick(0.1, -990); // too short is no gap
+        tick(RecentPeriods::kPeriodWindow, 3); // it is among the older ones now
         QCOMPARE(periods.counted().longest, 1500.0);
         tick(2 * RecentPeriods::kPeriodWindow, 3);
         QCOMPARE(periods.counted().quantile(0.999), 5.0);
