@@ -524,6 +524,10 @@
             <translation>%1, Schritt "%2"</translation>
         </message>
         <message>
+            <source>%1, turned</source>
+            <translation>%1, gedreht</translation>
+        </message>
+        <message>
             <source>%1. Stiffness up to %2 N/m, %3.</source>
             <translation>%1. Steifigkeit bis %2 N/m, %3.</translation>
         </message>

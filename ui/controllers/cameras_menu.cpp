@@ -77,8 +77,7 @@ std::vector<CamerasMenu::Verb> CamerasMenu::verbs() {
 void CamerasMenu::show(const QString& name) {
     const SavedCamera* saved = findCamera(bench_.document.scene(), name.toStdString());
     if (!saved) return;
-    // The view follows it, but for a plan.
-    if (!bench_.view.showsPlan()) bench_.actions["parallel"].setChecked(saved->parallel);
+    bench_.view.setParallel(saved->parallel);
     bench_.view.flyTo(viewOf(*saved, bench_.view.camera()));
 }
 

@@ -27,8 +27,7 @@ constexpr Switch kSwitches[] = {{"contact-normals", &FeltOptions::normals},
                                 {"relief", &FeltOptions::relief},
                                 {"ground", &FeltOptions::ground},
                                 {"boundaries", &FeltOptions::boundaries},
-                                {"wireframe", &FeltOptions::wireframe},
-                                {"parallel", &FeltOptions::parallel}};
+                                {"wireframe", &FeltOptions::wireframe}};
 constexpr std::pair<const char*, FeltValue> kMaps[] = {{"map-stiffness", FeltValue::Stiffness},
                                                        {"map-damping", FeltValue::Damping},
                                                        {"map-static-friction", FeltValue::StaticFriction},

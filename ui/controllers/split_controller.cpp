@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::pair<const char*, ViewSplit> kWays[] = {
     {"split-columns", ViewSplit::Columns}, {"split-rows", ViewSplit::Rows}, {"split-four", ViewSplit::Four}};
-const auto kSplitKey = QStringLiteral("view/split"), kDivisionKey = QStringLiteral("view/split-at");
+const auto kSplitKey = QStringLiteral("view/split"), kDivisionKey = QStringLiteral("view/split-at"),
+           kParallelKey = QStringLiteral("view/parallel");
 
 } // namespace
 
@@ -34,6 +35,20 @@ SplitController::SplitController(const Workbench& bench)
     connect(&bench_.view, &SceneView::divided, this,
             [this] { QSettings().setValue(kDivisionKey, bench_.view.division()); });
     show();
+    followProjection();
+}
+
+// The command is about the active pane, and says how that one is drawn; the own view's is kept.
+void SplitController::followProjection() {
+    QAction& action = bench_.actions["parallel"];
+    bench_.view.setParallel(QSettings().value(kParallelKey, false).toBool());
+    action.setChecked(bench_.view.camera().parallel);
+    connect(&action, &QAction::triggered, &bench_.view, &SceneView::setParallel);
+    connect(&bench_.view, &SceneView::projectionChanged, this, [this, &action] {
+        const bool parallel = bench_.view.camera().parallel;
+        action.setChecked(parallel);
+        if (bench_.view.ownIsActive()) QSettings().setValue(kParallelKey, parallel);
+    });
 }
 
 // Of two that change places, the one that goes may be told of first: what is on is asked of both.

@@ -17,6 +17,7 @@ public:
 
 private:
     void show();
+    void followProjection();
 
     Workbench bench_;
     QActionGroup* ways_;

@@ -19,7 +19,6 @@ struct FeltOptions {
     bool ground = true;     ///< beneath the scene, with its shadow and a grid
     bool boundaries = true; ///< thin lines between surfaces
     bool wireframe = false; ///< the model's triangles as lines
-    bool parallel = false;  ///< a parallel projection, without vanishing points
     // Of the whole model.
     bool spheres = false; ///< of the collision hierarchy,
     int sphereLevel = 2;  ///< so deep below its eight coarsest, which are 0

@@ -8,6 +8,7 @@
 
 #include "ui/view/free_corner.h"
 #include "ui/view/smooth_image.h"
+#include "ui/view/view_panes.h"
 
 namespace tactum {
 
@@ -17,6 +18,7 @@ constexpr double kAngle = 1e-6; ///< rad
 constexpr double kNameEdge = 8, kNamePadX = 7, kNamePadY = 3;
 constexpr int kFrame = 2;
 
+/// Empty: none.
 QString sideOf(const ViewCamera& camera) {
     constexpr double kRightAngle = 0.5 * std::numbers::pi;
     const auto is = [](double angle, double other) {
@@ -24,27 +26,33 @@ QString sideOf(const ViewCamera& camera) {
     };
     if (is(camera.yaw, 0) && is(camera.pitch, kRightAngle)) return QObject::tr("Top");
     if (is(camera.yaw, 0) && is(camera.pitch, -kRightAngle)) return QObject::tr("Bottom");
-    if (!is(camera.pitch, 0)) return QObject::tr("Own view");
+    if (!is(camera.pitch, 0)) return {};
     if (is(camera.yaw, 0)) return QObject::tr("Front");
     if (is(camera.yaw, kRightAngle)) return QObject::tr("Right");
     if (is(camera.yaw, 2 * kRightAngle)) return QObject::tr("Back");
-    return is(camera.yaw, -kRightAngle) ? QObject::tr("Left") : QObject::tr("Own view");
+    return is(camera.yaw, -kRightAngle) ? QObject::tr("Left") : QString();
+}
+
+QString turnedName(std::size_t pane) {
+    if (pane == ViewPanes::kOwn) return QObject::tr("Own view");
+    return QObject::tr("%1, turned").arg(sideOf(ViewPanes::planned(pane)));
 }
 
 } // namespace
 
-QString paneName(const ViewCamera& camera) {
-    return camera.parallel ? QObject::tr("%1, parallel").arg(sideOf(camera)) : sideOf(camera);
+QString paneName(std::size_t pane, const ViewCamera& camera) {
+    const QString side = sideOf(camera), name = side.isEmpty() ? turnedName(pane) : side;
+    return camera.parallel ? QObject::tr("%1, parallel").arg(name) : name;
 }
 
-double drawPaneName(QPainter& painter, const ViewCamera& camera, const Theme& theme, bool active,
-                    const QRegion& covered) {
+double drawPaneName(QPainter& painter, const QString& whole, const QSizeF& pane, const Theme& theme,
+                    bool active, const QRegion& covered) {
     const QFontMetricsF metrics(painter.font());
-    const double most = std::max(1.0, camera.size.width() - 2 * (kNameEdge + kNamePadX));
-    const QString name = metrics.elidedText(paneName(camera), Qt::ElideRight, most);
+    const double most = std::max(1.0, pane.width() - 2 * (kNameEdge + kNamePadX));
+    const QString name = metrics.elidedText(whole, Qt::ElideRight, most);
     const QSizeF size(std::ceil(metrics.horizontalAdvance(name)) + 2 * kNamePadX,
                       std::ceil(metrics.height()) + 2 * kNamePadY);
-    const QRectF box = belowCovers({QPointF(kNameEdge, kNameEdge), size}, camera.size.height(), covered);
+    const QRectF box = belowCovers({QPointF(kNameEdge, kNameEdge), size}, pane.height(), covered);
     drawSmoothly(painter, box, [&](QPainter& inner) {
         inner.setPen(Qt::NoPen);
         inner.setBrush(active ? theme.accent : theme.label);

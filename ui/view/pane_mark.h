@@ -12,12 +12,13 @@ class QPainter;
 
 namespace tactum {
 
-/// "Front, parallel", or that it is the person's own view.
-QString paneName(const ViewCamera& camera);
+/// By where it looks from: "Front, parallel". A pane that has been turned is called after where it did at
+/// first, as ViewPanes numbers them.
+QString paneName(std::size_t pane, const ViewCamera& camera);
 /// In the upper left corner, below what covers it; gives how far down it reaches. The painter's origin is the
 /// pane's corner; logical pixels.
-double drawPaneName(QPainter& painter, const ViewCamera& camera, const Theme& theme, bool active,
-                    const QRegion& covered);
+double drawPaneName(QPainter& painter, const QString& whole, const QSizeF& pane, const Theme& theme,
+                    bool active, const QRegion& covered);
 void drawPaneFrame(QPainter& painter, const QSizeF& size, const Theme& theme);
 
 } // namespace tactum

@@ -174,7 +174,7 @@ void SceneView::setScene(const Scene& scene) {
     impl_->picker.setScene(scene);
     impl_->weedMeasure();
     setCasters(scene);
-    impl_->spanning = spanningPoints(scene);
+    impl_->panes.setSpanning(spanningPoints(scene));
     impl_->hand.setSceneSize(impl_->picker.bounds().diagonal());
     impl_->sectionHandles.setReach(kSectionRim * impl_->picker.bounds().diagonal());
     if (makesMeshes()) impl_->meshTimer.start();

@@ -137,18 +137,22 @@ public:
     const ViewCamera& cameraOf(std::size_t pane) const;
     /// In that order.
     std::size_t activePane() const;
-    /// Whether the active one is drawn without vanishing points whatever setFelt() says.
-    bool showsPlan() const;
+    /// Whether that is the person's own view, not a plan of it.
+    bool ownIsActive() const;
+    /// Draws the active one without vanishing points, or with them.
+    void setParallel(bool parallel);
 
     /// Shows the whole scene from where the camera looks now.
     void fit();
     /// The same in every pane.
     void fitAll();
+    /// Every pane looks from where it did at first, at the whole scene.
+    void planViews();
     void showStandardView(StandardView view);
     /// Moves the camera, within a moment, until a ball fills a good part of the view. `from_W`: where to look
     /// from, a direction of any length; zero: from where it looks now. World frame, metre.
     void flyTo(const Vec3& centre_W, double radius, const Vec3& from_W = Vec3::Zero());
-    /// Moves the camera, within a moment, to look as another one does; the projection is that of setFelt().
+    /// Moves the camera, within a moment, to look as another one does; the projection stays.
     void flyTo(const ViewCamera& camera);
     /// Draws the edges of some triangles of a body in the colour of faults, also through what is before them.
     /// X_WB; no triangles: nothing.
@@ -268,6 +272,9 @@ signals:
     void picked(std::optional<tactum::PickHit> hit, Qt::KeyboardModifiers modifiers);
     /// The right button was pressed and let go at a place, or the key for menus; `at`: of the screen.
     void menuAsked(std::optional<tactum::PickHit> hit, const QPoint& at);
+    /// Whether the active pane is drawn without vanishing points may be another answer now: another one is
+    /// active, or it was changed.
+    void projectionChanged();
     /// The person has led the lines between the panes elsewhere.
     void divided();
     /// A box, or a closed line, was drawn, in logical pixels.

@@ -315,6 +315,7 @@ void SceneView::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && impl_->evenLines(event->position())) return;
     const QPointF cursor = impl_->actAt(event->position());
     const bool onFinger = impl_->tool == ViewTool::Touch &&
                           impl_->takesFinger(cursor, impl_->pick(cursor, ScenePicker::Patience::Wait));
@@ -350,7 +351,10 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
 }
 
 void SceneView::leaveEvent(QEvent* event) {
-    if (!impl_->staysInPane() && impl_->panes.pointNowhere()) changed();
+    if (!impl_->staysInPane() && impl_->panes.pointNowhere()) {
+        changed();
+        emit projectionChanged();
+    }
     impl_->brushAt.reset();
     impl_->pointer.reset();
     if (std::exchange(impl_->measureNext, std::nullopt) || impl_->brushes()) changed();

@@ -17,8 +17,6 @@ void SceneView::setFelt(const FeltOptions& options) {
     impl_->ground.setShown(options.ground);
     impl_->boundaries.setShown(options.boundaries && options.bumps == 0 && !options.wireframe);
     impl_->model.setWireframe(options.wireframe);
-    for (ViewPane& pane : impl_->panes.all())
-        pane.camera.parallel = options.parallel || pane.plan;
     if (impl_->felt.pending()) impl_->meshTimer.start();
     changed();
 }

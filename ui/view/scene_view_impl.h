@@ -49,8 +49,6 @@ struct SceneView::Impl {
     double finestPixel(const Vec3& p_W) const;
     /// Looks at the whole scene, from where the pane looks from now.
     void fit(ViewPane& pane);
-    /// The own view stands farther back in a pane that would cut it off, until it is alone again.
-    void changeSplit(ViewSplit split);
     /// A drag, or something that follows the pointer, stays in the pane where it began.
     bool staysInPane() const { return drag != ViewDrag::None || hand.grip() == Grip::Follow; }
     /// Where a place of the view is in the pane that is active from now on.
@@ -65,6 +63,8 @@ struct SceneView::Impl {
     bool takeLines(QPointF place);
     void leadLines(QPointF place);
     void endLines(QPointF cursor);
+    /// Whether there are any, which are in the middle again.
+    bool evenLines(QPointF place);
     /// What the scene's objects cast shadows from; those that move are where they are now.
     void castShadows(bool rest);
     void refreshSelection();
@@ -193,11 +193,8 @@ struct SceneView::Impl {
     std::shared_ptr<const World> world; ///< that the bodies below are of
     BodyPlaces bodies;
     ScenePicker picker;
-    std::size_t triangles = 0;  ///< of the scene
-    std::vector<Vec3> spanning; ///< what is fitted into the view
+    std::size_t triangles = 0; ///< of the scene
     ViewPanes panes;
-    std::optional<ViewCamera> undivided; ///< where the own view looked from before it was narrowed to
-    ViewCamera narrowed;
     Qt::Orientations ledLines; ///< by the drag Lines
     std::size_t flying = 0;    ///< the pane of the flight
     ViewCamera flownFrom, flownTo;

@@ -73,7 +73,9 @@ void SceneView::Impl::drawPane(QPainter& painter, std::size_t number) const {
     if (handlesDrawn) drawHandles(painter, in);
     drawMeasured(painter, in);
     double below = 0;
-    if (panes.isDivided()) below = drawPaneName(painter, in.camera, theme(), marked, coveredIn(in));
+    if (panes.isDivided())
+        below = drawPaneName(painter, paneName(number, in.camera), in.camera.size, theme(), marked,
+                             coveredIn(in));
     drawWords(painter, in, below);
     if (panes.isDivided() && marked) drawPaneFrame(painter, in.camera.size, theme());
 }

@@ -5,28 +5,10 @@
 
 namespace tactum {
 
-namespace {
-
-/// Whether two cameras look the same way from the same place, however large their pictures are.
-bool looksAlike(ViewCamera a, const ViewCamera& b) {
-    return a.focus == b.focus && a.distance == b.distance && a.yaw == b.yaw && a.pitch == b.pitch &&
-           a.fieldOfView == b.fieldOfView && a.parallel == b.parallel;
-}
-
-bool holds(const ViewCamera& camera, std::span<const Vec3> points_W) {
-    const QRectF picture({0, 0}, camera.size);
-    return std::ranges::all_of(points_W, [&](const Vec3& p_W) {
-        const auto at = camera.project(p_W);
-        return at && picture.contains(*at);
-    });
-}
-
-} // namespace
-
 void SceneView::Impl::fit(ViewPane& pane) {
     panes.layOut(view.size());
     pane.camera.fieldOfView = defaultCamera().fieldOfView; // that of a saved camera may be another
-    pane.camera.fit(spanning);
+    pane.camera.fit(panes.spanning());
     // Else again once the size is known.
     const bool isSeen = std::ranges::any_of(panes.shown(), [&](std::size_t i) { return &panes[i] == &pane; });
     pane.fitted = isSeen && view.isVisible() && picker.bounds().diagonal() > 0;
@@ -39,36 +21,18 @@ double SceneView::Impl::finestPixel(const Vec3& p_W) const {
     return finest;
 }
 
-// What was seen whole is to be seen whole in a narrower pane, and as before once it is alone again.
-void SceneView::Impl::changeSplit(ViewSplit split) {
-    ViewPane& own = panes[ViewPanes::kOwn];
-    panes.layOut(view.size());
-    const bool untouched = undivided && looksAlike(own.camera, narrowed);
-    if (untouched) {
-        const QSizeF size = own.camera.size;
-        own.camera = *undivided;
-        own.camera.size = size;
-    }
-    ViewCamera alone = own.camera;
-    alone.size = view.size();
-    panes.setSplit(split);
-    undivided.reset();
-    if (!panes.isDivided() || !own.fitted) return;
-    undivided = own.camera;
-    if (holds(alone, spanning) && !holds(own.camera, spanning)) fit(own);
-    narrowed = own.camera;
-}
-
 void SceneView::setSplit(ViewSplit split) {
     if (split == this->split()) return;
     impl_->endStroke(StrokeStep::Cancel);
     impl_->letGo();
     impl_->flight.stop();
-    impl_->changeSplit(split);
+    impl_->panes.layOut(size()); // the own view stands where it does in all of it
+    impl_->panes.setSplit(split);
     if (context()) makeCurrent();
     impl_->stage.setCameras(impl_->panes.shown().size());
     if (context()) doneCurrent();
     changed();
+    emit projectionChanged();
 }
 
 ViewSplit SceneView::split() const {
@@ -105,12 +69,27 @@ std::size_t SceneView::activePane() const {
     return std::size_t(std::ranges::find(shown, impl_->panes.active()) - shown.begin());
 }
 
-bool SceneView::showsPlan() const {
-    return impl_->pane().plan;
+bool SceneView::ownIsActive() const {
+    return impl_->panes.active() == ViewPanes::kOwn;
+}
+
+void SceneView::setParallel(bool parallel) {
+    impl_->camera().parallel = parallel;
+    changed();
+    emit projectionChanged();
+}
+
+void SceneView::planViews() {
+    impl_->panes.plan();
+    fitAll();
+    emit projectionChanged();
 }
 
 QPointF SceneView::Impl::pointAt(QPointF place) {
-    if (!staysInPane() && panes.pointAt(place)) view.changed();
+    if (!staysInPane() && panes.pointAt(place)) {
+        view.changed();
+        emit view.projectionChanged();
+    }
     return pane().inside(place);
 }
 
@@ -143,6 +122,15 @@ void SceneView::Impl::endLines(QPointF cursor) {
     drag = ViewDrag::None;
     showCursor(cursor);
     emit view.divided();
+}
+
+bool SceneView::Impl::evenLines(QPointF place) {
+    const Qt::Orientations lines = staysInPane() ? Qt::Orientations() : panes.linesAt(place);
+    if (!lines) return false;
+    panes.even(lines);
+    view.changed();
+    emit view.divided();
+    return true;
 }
 
 } // namespace tactum

@@ -52,15 +52,27 @@ double fromRect(const QRect& rect, QPointF p) {
 
 } // namespace
 
+ViewCamera ViewPanes::planned(std::size_t number) {
+    ViewCamera camera = defaultCamera();
+    if (number == kOwn) return camera;
+    camera.parallel = true;
+    camera.yaw = number == kRight ? kQuarter : 0;
+    camera.pitch = number == kTop ? kQuarter : 0;
+    return camera;
+}
+
 ViewPanes::ViewPanes() {
-    for (ViewPane& pane : panes_)
-        pane.camera = defaultCamera();
-    for (const auto& [number, yaw, pitch] :
-         {std::tuple{kFront, 0.0, 0.0}, {kRight, kQuarter, 0.0}, {kTop, 0.0, kQuarter}}) {
-        ViewPane& pane = panes_[number];
-        pane.plan = pane.camera.parallel = true;
-        pane.camera.yaw = yaw;
-        pane.camera.pitch = pitch;
+    plan();
+}
+
+void ViewPanes::plan() {
+    for (std::size_t i = 0; i < kCount; ++i) {
+        ViewPane& pane = panes_[i];
+        const ViewCamera before = pane.camera;
+        pane.camera = planned(i);
+        pane.camera.size = before.size;
+        if (i == kOwn) pane.camera.parallel = before.parallel;
+        pane.fitted = false;
     }
 }
 
@@ -89,8 +101,17 @@ void ViewPanes::layOut(QSize view) {
         const QPoint to(isRight ? view.width() : right - kGap, isBelow ? view.height() : below - kGap);
         ViewPane& pane = panes_[shown_[i]];
         pane.place = QRect(from, QSize(to.x() - from.x(), to.y() - from.y()));
-        pane.camera.size = pane.place.size();
+        resize(pane);
     }
+}
+
+void ViewPanes::resize(ViewPane& pane) const {
+    ViewCamera before = pane.camera, after = pane.camera;
+    after.size = pane.camera.size = pane.place.size();
+    if (!pane.fitted || after.size == before.size) return;
+    before.fit(spanning_);
+    after.fit(spanning_);
+    pane.camera.distance *= after.distance / before.distance;
 }
 
 std::size_t ViewPanes::at(QPointF place) const {
@@ -121,6 +142,10 @@ void ViewPanes::lead(Qt::Orientations lines, QPointF place) {
     if (lines & Qt::Vertical) parts.setX(place.x() / std::max(1, view_.width()));
     if (lines & Qt::Horizontal) parts.setY(place.y() / std::max(1, view_.height()));
     setDivision(parts);
+}
+
+void ViewPanes::even(Qt::Orientations lines) {
+    lead(lines, QPointF(0.5 * view_.width(), 0.5 * view_.height()));
 }
 
 } // namespace tactum

@@ -14,10 +14,9 @@ namespace tactum {
 
 /// One picture of the view. Logical pixels; those of its camera begin at its upper left corner.
 struct ViewPane {
-    ViewCamera camera; ///< its size is that of the pane
-    bool plan = false; ///< without vanishing points, whatever the view is drawn with
-    bool fitted = false;
-    QRect place; ///< in the view
+    ViewCamera camera;   ///< its size is that of the pane
+    bool fitted = false; ///< it has been, in the size that it has
+    QRect place;         ///< in the view
 
     QPointF inside(QPointF at) const { return at - place.topLeft(); }
 };
@@ -33,12 +32,22 @@ public:
 
     ViewPanes();
 
+    /// Where a pane looks from at first; nothing of it depends on the scene.
+    static ViewCamera planned(std::size_t number);
+    /// All look from there again. The own one keeps its projection, which is the person's choice.
+    void plan();
+    /// What is framed: points of the world frame, m.
+    void setSpanning(std::vector<Vec3> points_W) { spanning_ = std::move(points_W); }
+    std::span<const Vec3> spanning() const { return spanning_; }
+
     ViewSplit split() const { return split_; }
     void setSplit(ViewSplit split);
     bool isDivided() const { return split_ != ViewSplit::One; }
     /// Parts of the width and the height that are left of and above what divides them.
     QPointF division() const { return division_; }
     void setDivision(QPointF parts);
+    /// In a pane of another size a camera stands as much nearer or farther as one that is framed: what was
+    /// seen whole is seen whole, whoever has turned or moved it, and in the size from before it is as it was.
     void layOut(QSize view);
 
     /// Those that are seen, from left to right and from above.
@@ -62,11 +71,16 @@ public:
     Qt::Orientations linesAt(QPointF place) const;
     /// Leads lines to a place.
     void lead(Qt::Orientations lines, QPointF place);
+    /// Makes what they divide equal again.
+    void even(Qt::Orientations lines);
 
 private:
+    void resize(ViewPane& pane) const;
+
     ViewSplit split_ = ViewSplit::One;
     QPointF division_{0.5, 0.5};
     QSize view_;
+    std::vector<Vec3> spanning_;
     std::array<ViewPane, kCount> panes_;
     std::vector<std::size_t> shown_{kOwn};
     std::size_t active_ = kOwn, used_ = kOwn;

@@ -355,6 +355,8 @@ void MainWindow::follow(const SceneChange& change) {
 
 void MainWindow::showOpened() {
     save_->showFile();
+    view_->planViews();
+    hand_->placeBeside();
     view_->setFocus();
     if (!hand_->idle()) hint_->offer();
 }

@@ -53,7 +53,7 @@ struct LoupeView {
         view.resize(800, 600);
         view.setScene(markedPlate());
         options.normals = options.planes = options.ground = false;
-        options.parallel = parallel;
+        view.setParallel(parallel);
         options.loupe = true;
         view.setLoupe({200, times});
         view.setFelt(options);

@@ -188,7 +188,7 @@ private slots:
         scene.add(back);
         DrawnView shown(scene);
         const auto widths = [&](bool parallel) {
-            shown.options([&](FeltOptions& o) { o.parallel = parallel; });
+            shown.view.setParallel(parallel);
             shown.view.showStandardView(StandardView::Front);
             const QImage picture = shown.view.grabPicture();
             const int row = picture.height() / 2;

@@ -259,7 +259,7 @@ const std::vector<Change>& changes() {
              v.view.setSection(std::nullopt);
              v.settle();
          }},
-        {"a parallel projection", [](KeptView& v) { v.felt([](FeltOptions& o) { o.parallel = true; }); }},
+        {"a parallel projection", [](KeptView& v) { v.view.setParallel(true); }},
         {"no lines between surfaces",
          [](KeptView& v) { v.felt([](FeltOptions& o) { o.boundaries = false; }); }},
         {"no ground", [](KeptView& v) { v.felt([](FeltOptions& o) { o.ground = false; }); }},

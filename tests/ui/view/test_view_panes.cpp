@@ -99,20 +99,72 @@ private slots:
 
     void theyAreCalledByWhereTheyLookFrom() {
         ViewPanes panes;
-        QCOMPARE(paneName(panes[ViewPanes::kFront].camera), QStringLiteral("Front, parallel"));
-        QCOMPARE(paneName(panes[ViewPanes::kRight].camera), QStringLiteral("Right, parallel"));
-        QCOMPARE(paneName(panes[ViewPanes::kTop].camera), QStringLiteral("Top, parallel"));
-        ViewCamera camera = panes[ViewPanes::kOwn].camera;
-        QCOMPARE(paneName(camera), QStringLiteral("Own view"));
+        const auto name = [&](std::size_t pane) { return paneName(pane, panes[pane].camera); };
+        QCOMPARE(name(ViewPanes::kFront), QStringLiteral("Front, parallel"));
+        QCOMPARE(name(ViewPanes::kRight), QStringLiteral("Right, parallel"));
+        QCOMPARE(name(ViewPanes::kTop), QStringLiteral("Top, parallel"));
+        panes[ViewPanes::kTop].camera.yaw = 0.1;
+        QCOMPARE(name(ViewPanes::kTop), QStringLiteral("Top, turned, parallel"));
+        panes[ViewPanes::kRight].camera.pitch = 0.1;
+        panes[ViewPanes::kRight].camera.parallel = false;
+        QCOMPARE(name(ViewPanes::kRight), QStringLiteral("Right, turned"));
+        QCOMPARE(name(ViewPanes::kOwn), QStringLiteral("Own view"));
+        ViewCamera& camera = panes[ViewPanes::kOwn].camera;
         camera.pitch = 0;
         camera.yaw = std::numbers::pi;
-        QCOMPARE(paneName(camera), QStringLiteral("Back"));
+        QCOMPARE(name(ViewPanes::kOwn), QStringLiteral("Back"));
         camera.yaw = -0.5 * std::numbers::pi;
-        QCOMPARE(paneName(camera), QStringLiteral("Left"));
+        QCOMPARE(name(ViewPanes::kOwn), QStringLiteral("Left"));
         camera.pitch = -0.5 * std::numbers::pi;
-        QCOMPARE(paneName(camera), QStringLiteral("Own view"));
+        QCOMPARE(name(ViewPanes::kOwn), QStringLiteral("Own view"));
         camera.yaw = 0;
-        QCOMPARE(paneName(camera), QStringLiteral("Bottom"));
+        QCOMPARE(name(ViewPanes::kOwn), QStringLiteral("Bottom"));
+        panes.plan();
+        QCOMPARE(name(ViewPanes::kTop), QStringLiteral("Top, parallel"));
+        QCOMPARE(name(ViewPanes::kRight), QStringLiteral("Right, parallel"));
+        QCOMPARE(name(ViewPanes::kOwn), QStringLiteral("Own view"));
+    }
+
+    // A plate 3 long and 1 high, from the front in parallel: its picture is as large as the tighter side
+    // allows, so in a pane of another size it grows or shrinks as that side does.
+    void inAnotherSizeAllIsAsMuchLargerAsWhatIsFramed() {
+        const std::vector<Vec3> plate{{-1.5, -0.5, 0}, {1.5, 0.5, 0}};
+        for (const double zoom : {1.0, 0.3, 2.5}) { // framed, and nearer and farther than that
+            ViewPanes panes;
+            ViewPane& pane = panes[ViewPanes::kOwn];
+            panes.setSpanning(plate);
+            panes.layOut({600, 400});
+            pane.camera = ViewPanes::planned(ViewPanes::kFront);
+            pane.camera.size = {600, 400};
+            pane.camera.fit(plate);
+            pane.fitted = true;
+            pane.camera.distance *= zoom;
+            pane.camera.focus = {0.2, 0.1, 0};
+            const ViewCamera before = pane.camera;
+            const auto length = [&] {
+                const ViewCamera& camera = pane.camera;
+                return camera.project({1, 0, 0})->x() - camera.project({0, 0, 0})->x();
+            };
+            const double at600 = length();
+            panes.layOut({300, 400}); // half as wide
+            COMPARE_NEAR(length(), 0.5 * at600, 1e-9, "pixels");
+            panes.layOut({300, 150}); // still as wide
+            COMPARE_NEAR(length(), 0.5 * at600, 1e-9, "pixels");
+            panes.layOut({300, 50}); // now the height is what it lacks: 50 are half of the 100 that it filled
+            COMPARE_NEAR(length(), 0.25 * at600, 1e-9, "pixels");
+            panes.layOut({600, 400});
+            COMPARE_NEAR(pane.camera.distance, before.distance, 1e-12 * before.distance, "m");
+            QVERIFY(pane.camera.focus == before.focus);
+        }
+    }
+
+    void aPaneThatWasNeverFramedKeepsItsCamera() {
+        ViewPanes panes;
+        panes.setSpanning({{-1, -1, -1}, {1, 1, 1}});
+        const double distance = panes[ViewPanes::kOwn].camera.distance;
+        panes.layOut({300, 900});
+        panes.layOut({900, 300});
+        QCOMPARE(panes[ViewPanes::kOwn].camera.distance, distance);
     }
 };
 

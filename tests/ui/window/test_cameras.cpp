@@ -187,10 +187,10 @@ void TestCameras::thePaletteHasWhatTheMenuHas() {
 void TestCameras::theProjectionComesBack() {
     TouchedWindow program;
     QVERIFY(program.open(writeCube(folder_)));
-    program.command("parallel").setChecked(true);
+    program.command("parallel").trigger();
     const QPolygonF before = seen(program);
     keepAs(program, QStringLiteral("plan"));
-    program.command("parallel").setChecked(false);
+    program.command("parallel").trigger();
     program.window->view().showStandardView(StandardView::Top);
     choose(program, {"plan"});
     QVERIFY(program.command("parallel").isChecked());

@@ -9,8 +9,8 @@
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "tests/ui/window/divided_window.h"
 #include "tests/ui/window/file_dialogs.h"
-#include "tests/ui/window/window_fixture.h"
 #include "ui/base/theme.h"
 #include "ui/view/scene_view.h"
 
@@ -19,80 +19,6 @@ namespace test_split {
 using namespace tactum;
 
 namespace {
-
-// In the order of SceneView::panes().
-constexpr std::size_t kTopPane = 0, kOwnPane = 1, kFrontPane = 2, kRightPane = 3;
-constexpr Qt::Key kNoKey{};    ///< it stays as it is
-constexpr double kHalf = 0.05; ///< of the cube's side, m
-
-struct Divided {
-    explicit Divided(Qt::Key key = Qt::Key_Q, QSize size = {1200, 800}) : program(size) {
-        if (!program.open(writeCube(folder))) qFatal("the cube cannot be opened");
-        if (!test::waitFor([&] { return !view().makesMeshes() && !view().makesFelt(); }))
-            qFatal("the meshes are never made");
-        if (key != kNoKey) press(key);
-    }
-    SceneView& view() { return program.window->view(); }
-    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::ControlModifier | Qt::AltModifier) {
-        view().setFocus();
-        QTest::keyClick(&view(), key, modifiers);
-        program.frames(2);
-    }
-    std::size_t count() { return view().panes().size(); }
-    QRect pane(std::size_t i) { return view().panes().at(i); }
-    /// Where a pane shows a place of the model; of the view.
-    QPoint seen(std::size_t pane, const Vec3& p_W) {
-        const auto at = view().cameraOf(pane).project(p_W);
-        if (!at) qFatal("it is behind the eye");
-        return this->pane(pane).topLeft() + at->toPoint();
-    }
-    std::vector<ViewCamera> cameras() {
-        std::vector<ViewCamera> all;
-        for (std::size_t i = 0; i < count(); ++i)
-            all.push_back(view().cameraOf(i));
-        return all;
-    }
-    /// With the middle button.
-    void orbit(QPoint from, QPoint by) {
-        QWindow* window = program.window->windowHandle();
-        const auto inWindow = [&](QPoint at) { return view().mapTo(program.window.get(), at); };
-        QTest::mouseMove(window, inWindow(from));
-        QTest::mousePress(window, Qt::MiddleButton, {}, inWindow(from));
-        for (int i = 1; i <= 4; ++i)
-            QTest::mouseMove(window, inWindow(from + i * by / 4));
-        QTest::mouseRelease(window, Qt::MiddleButton, {}, inWindow(from + by));
-    }
-    void click(QPoint at) {
-        program.moveTo(at);
-        program.press(at);
-        program.release(at);
-    }
-    /// A drag with the left button.
-    void drag(QPoint from, QPoint to) {
-        program.moveTo(from);
-        program.press(from);
-        for (int i = 1; i <= 4; ++i)
-            program.moveTo(from + i * (to - from) / 4);
-        program.release(to);
-        program.frames(2);
-    }
-    const Surface* surfaceAt(QPoint at) {
-        const auto found = view().surfaceAt(at);
-        return found ? program.document.surface(*found) : nullptr;
-    }
-    QByteArray nameAt(QPoint at) {
-        const Surface* surface = surfaceAt(at);
-        return surface ? QByteArray::fromStdString(surface->name) : QByteArray();
-    }
-
-    QTemporaryDir folder;
-    TouchedWindow program;
-};
-
-bool same(const ViewCamera& a, const ViewCamera& b) {
-    return a.focus == b.focus && a.distance == b.distance && a.yaw == b.yaw && a.pitch == b.pitch &&
-           a.parallel == b.parallel && a.size == b.size;
-}
 
 /// Pixels of a part of two pictures that are not the same; the part in logical pixels.
 int different(const QImage& a, const QImage& b, const QRect& part, double ratio) {
@@ -129,7 +55,6 @@ private slots:
     void aKeptCameraComesToTheActivePane();
     void theLinesAreDraggedAndComeBack();
     void itIsRemembered();
-    void theOwnViewIsSeenWholeInHalfTheWidth();
     void panesFillWindowsOfAnySize();
     void aRegionIsDrawnInItsPane();
 };
@@ -167,11 +92,6 @@ void TestSplit::thePanesAreThoseOfPlans() {
     QCOMPARE(divided.nameAt(divided.seen(kTopPane, {0, kHalf, 0})), QByteArray("top"));
     QCOMPARE(divided.nameAt(divided.seen(kFrontPane, {0, 0, kHalf})), QByteArray("front"));
     QCOMPARE(divided.nameAt(divided.seen(kRightPane, {kHalf, 0, 0})), QByteArray("right"));
-    // The projection of the view is that of the own one.
-    divided.program.command("parallel").trigger();
-    QVERIFY(divided.cameras()[kOwnPane].parallel);
-    divided.program.command("parallel").trigger();
-    QVERIFY(!divided.cameras()[kOwnPane].parallel && divided.cameras()[kTopPane].parallel);
 }
 
 // A frame about it, of the accent's colour, and its name on that.
@@ -365,7 +285,7 @@ void TestSplit::aKeptCameraComesToTheActivePane() {
     divided.press(Qt::Key_1, Qt::AltModifier);
     QTRY_COMPARE_LT_WITH_TIMEOUT(std::abs(divided.cameras()[kRightPane].yaw - yaw), 1e-9, kPatience);
     QVERIFY(same(divided.cameras()[kOwnPane], before[kOwnPane]));
-    QVERIFY(divided.cameras()[kRightPane].parallel); // a plan stays one
+    QVERIFY(!divided.cameras()[kRightPane].parallel); // it is drawn as it was kept
 }
 
 void TestSplit::theLinesAreDraggedAndComeBack() {
@@ -407,31 +327,6 @@ void TestSplit::itIsRemembered() {
     }
     Divided last(kNoKey);
     QCOMPARE(last.count(), std::size_t(1));
-}
-
-void TestSplit::theOwnViewIsSeenWholeInHalfTheWidth() {
-    Divided divided(kNoKey, {700, 800});
-    SceneView& view = divided.view();
-    const ViewCamera before = view.camera();
-    const auto isWhole = [&](const ViewCamera& camera) {
-        for (unsigned i = 0; i < 8; ++i) {
-            const auto at =
-                camera.project({i & 1 ? kHalf : -kHalf, i & 2 ? kHalf : -kHalf, i & 4 ? kHalf : -kHalf});
-            if (!at || !QRectF({0, 0}, camera.size).contains(*at)) return false;
-        }
-        return true;
-    };
-    QVERIFY(isWhole(before));
-    divided.press(Qt::Key_2);
-    QVERIFY(isWhole(view.cameraOf(0)) && isWhole(view.cameraOf(1)));
-    divided.press(Qt::Key_1);
-    QVERIFY(same(view.camera(), before));
-    // Whoever turns it meanwhile keeps what he has.
-    divided.press(Qt::Key_2);
-    divided.orbit(divided.pane(0).center(), {30, 0});
-    const double yaw = view.cameraOf(0).yaw;
-    divided.press(Qt::Key_1);
-    COMPARE_NEAR(view.camera().yaw, yaw, 1e-12, "rad");
 }
 
 void TestSplit::panesFillWindowsOfAnySize() {
