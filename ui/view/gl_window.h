@@ -19,6 +19,7 @@ enum class Coarse {
     None,
     Relief, ///< noise without its finest octaves, of three planes mostly the one that faces most
     Meshes, ///< that as well, and coarser meshes where there are some
+    Pixels, ///< that as well, and fewer pixels
 };
 
 /// A render window for a context that Qt owns. Thread: ui.
@@ -38,7 +39,12 @@ public:
     void PopContext() override;
     void ReleaseGraphicsResources(vtkWindow* window) override;
 
-    void setCoarse(Coarse coarse) { coarse_ = coarse; }
+    /// `side`: of what is drawn with fewer pixels, in sides of the window.
+    void setCoarse(Coarse coarse, double side = 1) {
+        coarse_ = coarse;
+        coarseSide_ = side;
+    }
+    double coarseSide() const { return coarseSide_; }
     Coarse coarse() const { return coarse_; }
     bool drawsCoarse() const { return coarse_ != Coarse::None; }
     /// What takes light away from what a ModelMapper draws here.
@@ -58,6 +64,7 @@ private:
     std::function<bool()> isCurrent_;
     std::vector<std::pair<QOpenGLContext*, QSurface*>> stack_;
     Coarse coarse_ = Coarse::None;
+    double coarseSide_ = 1;
     OcclusionTexture occlusion_;
 };
 

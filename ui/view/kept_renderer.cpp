@@ -41,22 +41,31 @@ int depthBits() {
     return bits;
 }
 
+/// A framebuffer's lower left part.
+struct Part {
+    vtkOpenGLFramebufferObject& pixels;
+    std::array<int, 2> size;
+};
+
 /// False where the driver does not do it.
-bool copy(vtkOpenGLRenderWindow& window, vtkOpenGLFramebufferObject& from, vtkOpenGLFramebufferObject& to) {
+bool copy(vtkOpenGLRenderWindow& window, const Part& from, const Part& to) {
     auto* gl = QOpenGLContext::currentContext()->functions();
     auto* state = window.GetState();
     while (gl->glGetError() != GL_NO_ERROR) {
     }
-    const auto [width, height] = sizeOf(window);
     vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
     state->vtkglDisable(GL_SCISSOR_TEST);
     state->PushFramebufferBindings();
-    from.Bind(GL_READ_FRAMEBUFFER);
-    from.ActivateReadBuffer(0);
-    to.Bind(GL_DRAW_FRAMEBUFFER);
-    to.ActivateDrawBuffer(0);
-    state->vtkglBlitFramebuffer(0, 0, width, height, 0, 0, width, height,
-                                GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    from.pixels.Bind(GL_READ_FRAMEBUFFER);
+    from.pixels.ActivateReadBuffer(0);
+    to.pixels.Bind(GL_DRAW_FRAMEBUFFER);
+    to.pixels.ActivateDrawBuffer(0);
+    const auto blit = [&](unsigned int what, unsigned int how) {
+        state->vtkglBlitFramebuffer(0, 0, from.size[0], from.size[1], 0, 0, to.size[0], to.size[1], what,
+                                    how);
+    };
+    blit(GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    blit(GL_COLOR_BUFFER_BIT, from.size == to.size ? GL_NEAREST : GL_LINEAR);
     state->PopFramebufferBindings();
     return gl->glGetError() == GL_NO_ERROR;
 }
@@ -104,15 +113,21 @@ bool KeptRenderer::holds(const Kept& kept) {
            kept.size == sizeOf(windowOf(*this));
 }
 
+KeptRenderer::Kept* KeptRenderer::heldCoarse(int samples, Coarse most) {
+    for (const Coarse coarse : {Coarse::Relief, Coarse::Meshes, Coarse::Pixels})
+        if (Kept& kept = keptOf(samples, coarse); coarse <= most && holds(kept)) return &kept;
+    return nullptr;
+}
+
 void KeptRenderer::DeviceRender() {
     if (beneath_) return drawOver();
     GlWindow& window = windowOf(*this);
     const int samples = window.GetMultiSamples();
     Kept& exact = keptOf(samples, Coarse::None);
     if (!holds(exact) && window.drawsCoarse()) {
-        Kept& coarse = keptOf(samples, window.coarse());
-        if (!holds(coarse)) return draw(coarse);
-        if (std::chrono::steady_clock::now() - coarse.since < kSettles) return putBack(coarse);
+        Kept* coarse = heldCoarse(samples, window.coarse());
+        if (!coarse) return drawCoarse(keptOf(samples, window.coarse()));
+        if (std::chrono::steady_clock::now() - coarse->since < kSettles) return putBack(*coarse);
     }
     window.setCoarse(Coarse::None);
     if (holds(exact)) return putBack(exact);
@@ -135,38 +150,60 @@ void KeptRenderer::draw(Kept& kept) {
 }
 
 // A processor that draws is waited for: what it still has to do would hold the window a moment later.
-void KeptRenderer::drawExact(Kept& kept) {
-    const bool asBefore = drawnWith_ != 0 && drawnWith_ == lastChangeOfProps();
+std::optional<double> KeptRenderer::timeOf(vtkMTimeType& drawnWith, const std::function<void()>& draw) {
+    const bool asBefore = drawnWith != 0 && drawnWith == lastChangeOfProps();
     const auto before = std::chrono::steady_clock::now();
-    draw(kept);
-    drawnWith_ = lastChangeOfProps();
-    if (!GlWindow::rendererIsSoftware()) return;
+    draw();
+    drawnWith = lastChangeOfProps();
+    if (!GlWindow::rendererIsSoftware()) return std::nullopt;
     QOpenGLContext::currentContext()->functions()->glFinish();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - before;
-    if (asBefore) budget_.took(took.count(), windowOf(*this).GetMultiSamples() > 0);
+    return asBefore ? std::optional(took.count()) : std::nullopt;
+}
+
+void KeptRenderer::drawExact(Kept& kept) {
+    const auto took = timeOf(exactWith_, [&] { draw(kept); });
+    if (took) budget_.took(*took, windowOf(*this).GetMultiSamples() > 0);
+}
+
+void KeptRenderer::drawCoarse(Kept& kept) {
+    if (windowOf(*this).coarse() == Coarse::Pixels) return drawSmall(kept);
+    if (const auto took = timeOf(coarseWith_, [&] { draw(kept); })) budget_.tookCoarse(*took);
+}
+
+void KeptRenderer::drawSmall(Kept& kept) {
+    const double side = windowOf(*this).coarseSide();
+    SetViewport(0, 0, side, side);
+    draw(kept);
+    SetViewport(0, 0, 1, 1);
+    putBack(kept);
 }
 
 void KeptRenderer::keep(Kept& kept) {
     GlWindow& window = windowOf(*this);
-    const std::array<int, 2> size = sizeOf(window);
+    std::array<int, 2> drawn{}, corner{};
+    GetTiledSizeAndOrigin(&drawn[0], &drawn[1], &corner[0], &corner[1]);
     const int samples = window.GetMultiSamples();
-    if (size != kept.size) {
+    if (drawn != kept.drawn) {
         window.GetState()->PushFramebufferBindings();
         window.GetRenderFramebuffer()->Bind(GL_DRAW_FRAMEBUFFER);
         const int depth = depthBits();
         kept.pixels->SetContext(&window);
-        kept.pixels->PopulateFramebuffer(size[0], size[1], true, 1, VTK_UNSIGNED_CHAR, true, depth, samples);
+        kept.pixels->PopulateFramebuffer(drawn[0], drawn[1], true, 1, VTK_UNSIGNED_CHAR, true, depth,
+                                         samples);
         window.GetState()->PopFramebufferBindings();
-        kept.size = size;
+        kept.drawn = drawn;
     }
+    kept.size = sizeOf(window);
     kept.background = background();
     // What drawing itself brought up to date is in the picture.
-    kept.time = copy(window, *window.GetRenderFramebuffer(), *kept.pixels) ? lastChange() : 0;
+    kept.time =
+        copy(window, {*window.GetRenderFramebuffer(), drawn}, {*kept.pixels, drawn}) ? lastChange() : 0;
 }
 
 void KeptRenderer::putBack(Kept& kept) {
     GlWindow& window = windowOf(*this);
-    copy(window, *kept.pixels, *window.GetRenderFramebuffer());
+    copy(window, {*kept.pixels, kept.drawn}, {*window.GetRenderFramebuffer(), kept.size});
 }
 
 void KeptRenderer::ReleaseGraphicsResources(vtkWindow* window) {

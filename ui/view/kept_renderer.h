@@ -3,7 +3,9 @@
 
 #include <array>
 #include <chrono>
+#include <functional>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include <vtkNew.h>
@@ -23,8 +25,8 @@ namespace tactum {
 /// each camera and number of samples: several views take turns, and so do a picture that moves and one that
 /// rests. In a window that draws coarsely the
 /// exact picture is put back as long as it holds, and drawn again when nothing but the touch has changed for
-/// a moment. For layer 0 of a GlWindow, or over another one.
-/// Thread: ui.
+/// a moment; with fewer pixels the picture is drawn small, and put back as large as the window. For layer 0
+/// of a GlWindow, or over another one. Thread: ui.
 class KeptRenderer : public vtkOpenGLRenderer {
 public:
     static KeptRenderer* New();
@@ -58,7 +60,8 @@ private:
     using How = std::tuple<const vtkCamera*, int, Coarse>; ///< the number is that of samples
     struct Kept {
         vtkNew<vtkOpenGLFramebufferObject> pixels;
-        std::array<int, 2> size{};
+        std::array<int, 2> size{};  ///< of the window
+        std::array<int, 2> drawn{}; ///< of its picture, which may be smaller
         Background background{};
         vtkMTimeType time = 0;                       ///< of the last change that is in it; 0: none is
         std::chrono::steady_clock::time_point since; ///< when it was drawn
@@ -69,16 +72,23 @@ private:
     Background background();
     Kept& keptOf(int samples, Coarse coarse);
     bool holds(const Kept& kept);
+    /// The best coarse picture that holds, if it leaves out no more than that.
+    Kept* heldCoarse(int samples, Coarse most);
     void drawOver();
     void draw(Kept& kept);
+    void drawSmall(Kept& kept);
     void drawExact(Kept& kept);
+    void drawCoarse(Kept& kept);
+    /// What `draw` takes where the processor draws, s; nothing for a card, and where the props have changed
+    /// since it was timed last, with the change that is given.
+    std::optional<double> timeOf(vtkMTimeType& drawnWith, const std::function<void()>& draw);
     void keep(Kept& kept);
     void putBack(Kept& kept);
 
     KeptRenderer* beneath_ = nullptr;
     std::map<How, Kept> kept_;
     PictureBudget budget_;
-    vtkMTimeType drawnWith_ = 0; ///< the last change of a prop when the exact model was drawn last
+    vtkMTimeType exactWith_ = 0, coarseWith_ = 0; ///< the last change of a prop when each was drawn last
     int drawn_ = 0;
 };
 

@@ -34,7 +34,7 @@ void ModelMapper::setCoarse(vtkPolyData* mesh) {
 void ModelMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor) {
     auto* window = GlWindow::SafeDownCast(renderer->GetRenderWindow());
     if (!window) return Superclass::RenderPiece(renderer, actor);
-    if (coarse_ && window->coarse() == Coarse::Meshes) {
+    if (coarse_ && window->coarse() >= Coarse::Meshes) {
         coarse_->SetClippingPlanes(GetClippingPlanes());
         return coarse_->RenderPiece(renderer, actor);
     }

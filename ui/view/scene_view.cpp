@@ -90,6 +90,7 @@ Coarse SceneView::Impl::coarseInMotion() const {
     const PictureBudget& budget = stage.solid->budget();
     if (budget.affordsMotion(panes.shown().size())) return Coarse::None;
     const bool bare = !faces.any() && paint.picture().parts.empty() && !marks.any();
+    if (bare && budget.affordedSide(panes.shown().size()) < 1) return Coarse::Pixels;
     if (bare && model.hasCoarse()) return Coarse::Meshes;
     return budget.known() && model.hasRelief() ? Coarse::Relief : Coarse::None;
 }
@@ -315,6 +316,8 @@ void SceneView::flyTo(const ViewCamera& camera) {
     impl_->flying = impl_->panes.active();
     impl_->flownFrom = impl_->camera();
     impl_->flownTo = camera;
+    impl_->camera().parallel = camera.parallel;
+    emit projectionChanged();
     if (impl_->manners.flies) return impl_->flight.start();
     impl_->flight.stop();
     impl_->fly(1);
@@ -518,7 +521,8 @@ void SceneView::prepareFrame() {
 // What has its size in pixels is placed anew for each of them; it is drawn at once.
 void SceneView::preparePicture(std::size_t number) {
     const ViewCamera& camera = impl_->panes[impl_->panes.shown()[number]].camera;
-    renderWindow().setCoarse(quality() == PictureQuality::Quick ? impl_->coarseInMotion() : Coarse::None);
+    renderWindow().setCoarse(quality() == PictureQuality::Quick ? impl_->coarseInMotion() : Coarse::None,
+                             impl_->stage.solid->budget().affordedSide(impl_->panes.shown().size()));
     impl_->stage.look(camera, impl_->shownTo(camera), number);
     if (impl_->touch) impl_->overlay.update(*impl_->touch, camera, impl_->proxyRadius, impl_->shadows());
     impl_->placeBeside(camera);

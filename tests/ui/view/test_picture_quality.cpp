@@ -75,6 +75,35 @@ int differing(const QImage& a, const QImage& b, int than) {
     return count;
 }
 
+/// How much neighbours in a row bend: what a picture of fewer pixels has less of. The sky has none.
+double steps(const QImage& picture) {
+    double sum = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 2; x < picture.width(); ++x)
+            sum += std::abs(qGray(picture.pixel(x - 2, y)) - 2 * qGray(picture.pixel(x - 1, y)) +
+                            qGray(picture.pixel(x, y)));
+    return sum;
+}
+
+struct Lit {
+    double count = 0; ///< pixels
+    QPointF middle;
+};
+
+/// What is brighter than the sky beside it.
+Lit litOf(const QImage& picture) {
+    Lit lit;
+    QPointF sum;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            if (qGray(picture.pixel(x, y)) > qGray(picture.pixel(1, y)) + 20) {
+                ++lit.count;
+                sum += QPointF(x, y);
+            }
+    lit.middle = sum / std::max(1.0, lit.count);
+    return lit;
+}
+
 } // namespace
 
 class TestPictureQuality : public QObject {
@@ -101,6 +130,30 @@ private slots:
         QCOMPARE(budget.atRest(), PictureQuality::Sampled);
         budget.forget();
         QVERIFY(!budget.known());
+    }
+
+    // A part of the exact one, which follows that when something is taken off the model.
+    void aCoarsePictureIsJudgedByTheQuickerOfTwo() {
+        PictureBudget budget;
+        budget.took(0.15, false);
+        QCOMPARE(budget.affordedSide(), 1.0);
+        budget.tookCoarse(0.4); // brings meshes to the card
+        QCOMPARE(budget.affordedSide(), 1.0);
+        budget.tookCoarse(0.06);
+        QCOMPARE(budget.affordedSide(), 1.0);
+        QCOMPARE(budget.affordedSide(2), 1.0 / 3);
+        budget.tookCoarse(0.09);
+        QCOMPARE(budget.affordedSide(), 1.0);
+        budget.tookCoarse(0.1);
+        QCOMPARE(budget.affordedSide(), 0.5);
+        budget.took(0.09, false); // 0.09 / 0.15 of it
+        QCOMPARE(budget.affordedSide(), 1.0);
+        budget.took(0.12, false);
+        QCOMPARE(budget.affordedSide(), 0.5);
+        budget.took(0.24, false);
+        QCOMPARE(budget.affordedSide(), 1.0 / 3);
+        budget.forget();
+        QCOMPARE(budget.affordedSide(), 1.0);
     }
 
     void aCoarseMeshIsClosedWhereTheExactOneIs() {
@@ -144,6 +197,64 @@ private slots:
         QVERIFY(!shown.view.drawsCoarse());
         QCOMPARE_GT(differing(coarse, exact, 0), 0);
         QVERIFY(differing(coarse, exact, 24) < 200); // of 120,000, along the rim
+    }
+
+    void whereThatTakesTooLongItHasFewerPixels() {
+        for (const QSize size : {QSize(400, 300), QSize(401, 303)}) {
+            QualityView shown(kNoTime);
+            if (!shown.view.rendersInSoftware()) QSKIP("a graphics card draws the exact mesh");
+            shown.view.resize(size);
+            shown.rest();
+            shown.view.setPictureLimits(kAllTime);
+            const QImage whole = shown.turn();
+            shown.view.setPictureLimits(kNoTime);
+            QImage small;
+            for (int i = 0; i < 2; ++i) { // three tell what they take
+                shown.view.moveCamera(-0.05, 0);
+                shown.view.grabFramebuffer();
+                small = shown.turn();
+            }
+            QVERIFY(shown.view.drawsCoarse());
+            QCOMPARE(small.size(), whole.size());
+            if (const QString to = qEnvironmentVariable("TACTUM_PICTURE"); !to.isEmpty()) {
+                small.save(to + "-small.png");
+                whole.save(to + "-whole.png");
+            }
+            QCOMPARE_LT(steps(small), 0.75 * steps(whole));
+            // It is where it was, not a pixel of it aside: the middle of what is not sky, and how much that
+            // is.
+            QCOMPARE_GT(litOf(whole).count, 0.1 * size.width() * size.height());
+            COMPARE_NEAR(litOf(small).middle.x(), litOf(whole).middle.x(), 1.0, "pixels");
+            COMPARE_NEAR(litOf(small).middle.y(), litOf(whole).middle.y(), 1.0, "pixels");
+            COMPARE_NEAR(litOf(small).count, litOf(whole).count, 0.025 * litOf(whole).count, "pixels");
+            // To its edges: none is of another picture or of none.
+            for (const QPoint& at : {QPoint(0, 0), QPoint(size.width() - 1, size.height() - 1)})
+                QCOMPARE_LE(std::abs(qGray(small.pixel(at)) - qGray(whole.pixel(at))), 3);
+            // As much of a finger is seen as with all pixels: before the ball, half in it, behind it.
+            const auto seen = [&](double z) {
+                shown.proxy.output.proxy = shown.servo.finger = shown.proxy.finger = {0, 0, z};
+                shown.view.setHaptics(shown.proxy, shown.servo, 8, true);
+                const QImage with = shown.turn();
+                shown.view.setOverlayVisible(false);
+                shown.view.moveCamera(-0.05, 0);
+                const QImage without = shown.turn();
+                shown.view.setOverlayVisible(true);
+                shown.view.moveCamera(-0.05, 0);
+                return differing(with, without, 60);
+            };
+            const std::array<double, 3> places{0.06, 0.0495, -0.03};
+            std::array<int, 3> few{}, all{};
+            std::ranges::transform(places, few.begin(), seen);
+            shown.view.setPictureLimits(kAllTime);
+            std::ranges::transform(places, all.begin(), seen);
+            shown.view.setPictureLimits(kNoTime);
+            QCOMPARE_GT(all[0], 2 * all[2]);
+            for (std::size_t i = 0; i < places.size(); ++i)
+                COMPARE_NEAR(few[i], all[i], 0.15 * all[0], "pixels");
+            const QImage resting = shown.rest();
+            QVERIFY(!shown.view.drawsCoarse());
+            QCOMPARE_GT(steps(resting), steps(small));
+        }
     }
 
     void restsAndIsTouchedExactly() {
