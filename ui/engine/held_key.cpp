@@ -1,15 +1,29 @@
 #include "ui/engine/held_key.h"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 #include <QKeyEvent>
 
 namespace tactum {
 
+namespace {
+constexpr int kToHear = 60; // ms
+} // namespace
+
 HeldKey::HeldKey(Qt::Key key, int milliseconds, QObject* parent) : QObject(parent), key_(key) {
-    timer_.setSingleShot(true);
-    timer_.setInterval(milliseconds);
-    connect(&timer_, &QTimer::timeout, this, &HeldKey::held);
+    for (QTimer* timer : {&timer_, &last_})
+        timer->setSingleShot(true);
+    last_.setInterval(std::min(kToHear, milliseconds));
+    timer_.setInterval(milliseconds - last_.interval());
+    connect(&timer_, &QTimer::timeout, &last_, qOverload<>(&QTimer::start));
+    connect(&last_, &QTimer::timeout, this, &HeldKey::held);
     qApp->installEventFilter(this);
+}
+
+void HeldKey::stop() {
+    timer_.stop();
+    last_.stop();
 }
 
 bool HeldKey::eventFilter(QObject* watched, QEvent* event) {
@@ -21,16 +35,16 @@ bool HeldKey::eventFilter(QObject* watched, QEvent* event) {
         if (key->key() == key_ && (!key->isAutoRepeat() || again)) {
             lost_ = false;
             if (!press)
-                timer_.stop();
-            else if (!timer_.isActive())
+                stop();
+            else if (!timer_.isActive() && !last_.isActive())
                 timer_.start();
         }
     }
     // The release of a key goes elsewhere once the program is not in front.
-    if (event->type() == QEvent::ApplicationDeactivate) timer_.stop();
+    if (event->type() == QEvent::ApplicationDeactivate) stop();
     // And with the dialog that it has closed.
-    if (event->type() == QEvent::WindowUnblocked && timer_.isActive()) {
-        timer_.stop();
+    if (event->type() == QEvent::WindowUnblocked && (timer_.isActive() || last_.isActive())) {
+        stop();
         lost_ = true;
     }
     return QObject::eventFilter(watched, event);

@@ -6,7 +6,8 @@
 
 namespace tactum {
 
-/// Emits held() once when `key` has been down for `milliseconds`. Never swallows the key. Thread: ui.
+/// Emits held() once when `key` has been down for `milliseconds`; a release that waited meanwhile, because
+/// the window was busy, counts. Never swallows the key. Thread: ui.
 class HeldKey : public QObject {
     Q_OBJECT
 public:
@@ -19,8 +20,11 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void stop();
+
     Qt::Key key_;
-    QTimer timer_;
+    QTimer timer_;      ///< to shortly before the end,
+    QTimer last_;       ///< and the rest, in which events are heard that a busy window has not got yet
     bool lost_ = false; ///< its release may have gone with a dialog
 };
 
