@@ -186,14 +186,15 @@ void GroundLayer::drawGrid() {
     gridMapper_->SetInputData(lines.take());
 }
 
-void GroundLayer::setShown(bool shown) {
+void GroundLayer::setShown(bool shown, bool shadow) {
     shown_ = shown;
+    shadowShown_ = shadow;
     showSheets();
 }
 
 void GroundLayer::showSheets() {
-    for (vtkActor* sheet : {shadow_.Get(), grid_.Get()})
-        sheet->SetVisibility(shown_ && step_ > 0);
+    grid_->SetVisibility(shown_ && step_ > 0);
+    shadow_->SetVisibility(grid_->GetVisibility() && shadowShown_);
 }
 
 int GroundLayer::Sheet::RenderTranslucentPolygonalGeometry(vtkViewport* viewport) {

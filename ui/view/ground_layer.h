@@ -23,7 +23,8 @@ public:
     explicit GroundLayer(vtkRenderer& renderer);
 
     void setTheme(const Theme& theme);
-    void setShown(bool shown);
+    /// The grid, and the shadow on it.
+    void setShown(bool shown, bool shadow = true);
     /// What stands on it. Of what moves the shadow is left out until it `rests`.
     void setCasters(std::vector<ShadowCaster> casters, bool rest);
     bool pending() const { return work_.pending(); }
@@ -64,7 +65,7 @@ private:
     vtkNew<Sheet> shadow_, grid_;
     const Theme* theme_ = nullptr;
     double step_ = 0;
-    bool shown_ = true;
+    bool shown_ = true, shadowShown_ = true;
 };
 
 /// The power of ten of a metre that makes 4 to 40 lines of an extent, m.

@@ -14,7 +14,7 @@ void SceneView::setFelt(const FeltOptions& options) {
     impl_->showLoupe(options.loupe);
     if (impl_->touch) impl_->felt.setPlace(impl_->touch->proxy);
     impl_->felt.setOptions(options);
-    impl_->ground.setShown(options.ground);
+    impl_->ground.setShown(options.ground, !options.wireframe); // one sees through what would cast it
     impl_->boundaries.setShown(options.boundaries && options.bumps == 0 && !options.wireframe);
     impl_->model.setWireframe(options.wireframe);
     if (impl_->felt.pending()) impl_->meshTimer.start();

@@ -172,6 +172,21 @@ private slots:
         QCOMPARE(shown.view.gridStep(), 0.0);
     }
 
+    // One sees through what would cast it; the grid is there.
+    void aWireframeCastsNone() {
+        GroundView shown(ballScene());
+        const Vec3 beside(0.3 * kBallRadius, -1.012 * kBallRadius, 0.75 * kBallRadius);
+        const int solid = shown.lightnessAt(beside);
+        FeltOptions options = shown.view.felt();
+        options.wireframe = true;
+        shown.view.setFelt(options);
+        const int wires = shown.lightnessAt(beside);
+        COMPARE_NEAR(shown.view.gridStep(), 0.01, 1e-9, "m");
+        shown.ground(false);
+        QCOMPARE_GT(wires, solid + 5);
+        COMPARE_NEAR(wires, shown.lightnessAt(beside), 3, "");
+    }
+
     void isNotSeenFromBelow() {
         GroundView shown(ballScene());
         shown.view.moveCamera(0, -1.2);
