@@ -77,7 +77,6 @@ std::vector<CamerasMenu::Verb> CamerasMenu::verbs() {
 void CamerasMenu::show(const QString& name) {
     const SavedCamera* saved = findCamera(bench_.document.scene(), name.toStdString());
     if (!saved) return;
-    bench_.view.setParallel(saved->parallel);
     bench_.view.flyTo(viewOf(*saved, bench_.view.camera()));
 }
 

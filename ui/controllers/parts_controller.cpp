@@ -81,14 +81,14 @@ QString sentenceFor(const Removed& removed, const QString& part) {
     return text + QObject::tr(" Undo brings all of it back.");
 }
 
-/// Whether all of a box is in the picture.
+/// Whether all of a box is in the picture of every pane.
 bool isInPicture(const SceneView& view, const Bounds& box) {
-    for (unsigned i = 0; i < 8; ++i) {
-        const Vec3 corner((i & 1 ? box.high : box.low).x(), (i & 2 ? box.high : box.low).y(),
-                          (i & 4 ? box.high : box.low).z());
-        const auto at = view.camera().project(corner);
-        if (!at || !QRectF({0, 0}, view.camera().size).contains(*at)) return false;
-    }
+    std::vector<Vec3> corners;
+    for (unsigned i = 0; i < 8; ++i)
+        corners.emplace_back((i & 1 ? box.high : box.low).x(), (i & 2 ? box.high : box.low).y(),
+                             (i & 4 ? box.high : box.low).z());
+    for (std::size_t pane = 0; pane < view.panes().size(); ++pane)
+        if (view.cameraOf(pane).filled(corners) > 1) return false;
     return true;
 }
 

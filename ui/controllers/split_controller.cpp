@@ -38,17 +38,18 @@ SplitController::SplitController(const Workbench& bench)
     followProjection();
 }
 
-// The command is about the active pane, and says how that one is drawn; the own view's is kept.
+// The command is about the active pane, and says how that one is drawn; what is chosen for the own view is
+// kept.
 void SplitController::followProjection() {
     QAction& action = bench_.actions["parallel"];
     bench_.view.setParallel(QSettings().value(kParallelKey, false).toBool());
     action.setChecked(bench_.view.camera().parallel);
-    connect(&action, &QAction::triggered, &bench_.view, &SceneView::setParallel);
-    connect(&bench_.view, &SceneView::projectionChanged, this, [this, &action] {
-        const bool parallel = bench_.view.camera().parallel;
-        action.setChecked(parallel);
+    connect(&action, &QAction::triggered, this, [this](bool parallel) {
+        bench_.view.setParallel(parallel);
         if (bench_.view.ownIsActive()) QSettings().setValue(kParallelKey, parallel);
     });
+    connect(&bench_.view, &SceneView::projectionChanged, this,
+            [this, &action] { action.setChecked(bench_.view.camera().parallel); });
 }
 
 // Of two that change places, the one that goes may be told of first: what is on is asked of both.

@@ -139,7 +139,7 @@ public:
     std::size_t activePane() const;
     /// Whether that is the person's own view, not a plan of it.
     bool ownIsActive() const;
-    /// Draws the active one without vanishing points, or with them.
+    /// Draws the active one without vanishing points, or with them; the own view begins so with every scene.
     void setParallel(bool parallel);
 
     /// Shows the whole scene from where the camera looks now.
@@ -152,7 +152,7 @@ public:
     /// Moves the camera, within a moment, until a ball fills a good part of the view. `from_W`: where to look
     /// from, a direction of any length; zero: from where it looks now. World frame, metre.
     void flyTo(const Vec3& centre_W, double radius, const Vec3& from_W = Vec3::Zero());
-    /// Moves the camera, within a moment, to look as another one does; the projection stays.
+    /// Moves the camera, within a moment, to look as another one does, in its projection at once.
     void flyTo(const ViewCamera& camera);
     /// Draws the edges of some triangles of a body in the colour of faults, also through what is before them.
     /// X_WB; no triangles: nothing.

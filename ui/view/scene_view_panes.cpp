@@ -74,7 +74,7 @@ bool SceneView::ownIsActive() const {
 }
 
 void SceneView::setParallel(bool parallel) {
-    impl_->camera().parallel = parallel;
+    impl_->panes.setParallel(impl_->panes.active(), parallel);
     changed();
     emit projectionChanged();
 }

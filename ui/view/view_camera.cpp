@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace tactum {
@@ -10,12 +11,19 @@ namespace {
 
 constexpr double kMargin = 1.2;
 
-/// How far from the focus the eye must be for a point, given from the focus, to lie inside the view.
-double distanceFor(const ViewCamera& camera, const Vec3& p, double tanX, double tanY) {
-    const double x = std::abs(p.dot(camera.right())), y = std::abs(p.dot(camera.up()));
-    const double beside = std::max(x / tanX, y / tanY);
-    return camera.parallel ? beside : beside - p.dot(camera.forward());
-}
+/// What one sees on the way to a point.
+struct Toward {
+    double aside; ///< from the middle, m over the half of the view's side of 1 m there
+    double ahead; ///< from the focus on, m; nothing of it counts in parallel
+
+    Toward(const ViewCamera& camera, const Vec3& p_W) {
+        const Vec3 p = p_W - camera.focus;
+        const double tan = std::tan(0.5 * camera.fieldOfView),
+                     wide = camera.size.width() / camera.size.height();
+        aside = std::max(std::abs(p.dot(camera.right())) / (tan * wide), std::abs(p.dot(camera.up())) / tan);
+        ahead = camera.parallel ? 0 : p.dot(camera.forward());
+    }
+};
 
 } // namespace
 
@@ -93,6 +101,25 @@ void ViewCamera::zoomTo(const Vec3& anchor_W, double factor) {
     distance *= factor;
 }
 
+double ViewCamera::filled(std::span<const Vec3> points_W) const {
+    double most = 0;
+    for (const Vec3& p_W : points_W) {
+        const Toward point(*this, p_W);
+        const double depth = distance + point.ahead;
+        most = std::max(most, depth > 0 ? point.aside / depth : std::numeric_limits<double>::infinity());
+    }
+    return most;
+}
+
+void ViewCamera::fill(std::span<const Vec3> points_W, double part) {
+    double least = -std::numeric_limits<double>::infinity();
+    for (const Vec3& p_W : points_W) {
+        const Toward point(*this, p_W);
+        least = std::max(least, point.aside / part - point.ahead);
+    }
+    if (least > 0) distance = least;
+}
+
 void ViewCamera::fit(std::span<const Vec3> points_W) {
     Bounds box;
     for (const Vec3& p : points_W)
@@ -100,11 +127,8 @@ void ViewCamera::fit(std::span<const Vec3> points_W) {
     if (box.empty()) return;
     focus = box.centre();
     if (!(box.diagonal() > 0)) return;
-    const double tanY = std::tan(0.5 * fieldOfView) / kMargin;
-    const double tanX = tanY * size.width() / size.height();
-    distance = 0.1 * box.diagonal();
-    for (const Vec3& p : points_W)
-        distance = std::max(distance, distanceFor(*this, p - focus, tanX, tanY));
+    fill(points_W, 1 / kMargin);
+    distance = std::max(distance, 0.1 * box.diagonal());
 }
 
 std::optional<double> alongLine(const Vec3& origin, const Vec3& direction, const Ray& ray) {

@@ -61,6 +61,11 @@ struct ViewCamera {
     void pan(QPointF pixels);
     /// Scales the distance to `anchor`, which keeps its pixel, by `factor` (< 1 comes nearer).
     void zoomTo(const Vec3& anchor_W, double factor);
+    /// The largest part of half of its width or height that the points reach from the middle: up to 1 all of
+    /// them are in the picture. 0: there are none; infinite: one is behind the eye.
+    double filled(std::span<const Vec3> points_W) const;
+    /// Stands so far from the focus that they reach that part, > 0. Ignores an empty list.
+    void fill(std::span<const Vec3> points_W, double part);
     /// Stands so that the points fill the view with a margin, looking as before, and turns about the centre
     /// of their box from now on. Ignores an empty list.
     void fit(std::span<const Vec3> points_W);

@@ -68,12 +68,12 @@ ViewPanes::ViewPanes() {
 void ViewPanes::plan() {
     for (std::size_t i = 0; i < kCount; ++i) {
         ViewPane& pane = panes_[i];
-        const ViewCamera before = pane.camera;
+        const QSizeF size = pane.camera.size;
         pane.camera = planned(i);
-        pane.camera.size = before.size;
-        if (i == kOwn) pane.camera.parallel = before.parallel;
+        pane.camera.size = size;
         pane.fitted = false;
     }
+    panes_[kOwn].camera.parallel = ownParallel_;
 }
 
 void ViewPanes::setSplit(ViewSplit split) {
@@ -106,12 +106,18 @@ void ViewPanes::layOut(QSize view) {
 }
 
 void ViewPanes::resize(ViewPane& pane) const {
-    ViewCamera before = pane.camera, after = pane.camera;
-    after.size = pane.camera.size = pane.place.size();
-    if (!pane.fitted || after.size == before.size) return;
-    before.fit(spanning_);
-    after.fit(spanning_);
-    pane.camera.distance *= after.distance / before.distance;
+    if (pane.camera.size == pane.place.size()) return;
+    const double part = pane.camera.filled(spanning_);
+    pane.camera.size = pane.place.size();
+    if (pane.fitted && part > 0 && std::isfinite(part)) pane.camera.fill(spanning_, part);
+}
+
+void ViewPanes::setParallel(std::size_t number, bool parallel) {
+    ViewCamera& camera = panes_[number].camera;
+    const double part = camera.filled(spanning_);
+    camera.parallel = parallel;
+    if (panes_[number].fitted && part > 0 && part <= 1) camera.fill(spanning_, part);
+    if (number == kOwn) ownParallel_ = parallel;
 }
 
 std::size_t ViewPanes::at(QPointF place) const {

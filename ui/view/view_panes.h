@@ -34,7 +34,7 @@ public:
 
     /// Where a pane looks from at first; nothing of it depends on the scene.
     static ViewCamera planned(std::size_t number);
-    /// All look from there again. The own one keeps its projection, which is the person's choice.
+    /// All look from there again, but for the projection of the own one.
     void plan();
     /// What is framed: points of the world frame, m.
     void setSpanning(std::vector<Vec3> points_W) { spanning_ = std::move(points_W); }
@@ -46,9 +46,12 @@ public:
     /// Parts of the width and the height that are left of and above what divides them.
     QPointF division() const { return division_; }
     void setDivision(QPointF parts);
-    /// In a pane of another size a camera stands as much nearer or farther as one that is framed: what was
-    /// seen whole is seen whole, whoever has turned or moved it, and in the size from before it is as it was.
+    /// In a pane of another size the scene fills as much of the picture: what was seen whole is seen whole,
+    /// whoever has turned or moved it, and in the size from before it is as it was.
     void layOut(QSize view);
+    /// Draws one without vanishing points, or with them. What was seen whole fills as much of the picture;
+    /// else what is at the focus keeps its size. Of the own one it is a choice that plan() keeps.
+    void setParallel(std::size_t number, bool parallel);
 
     /// Those that are seen, from left to right and from above.
     std::span<const std::size_t> shown() const { return shown_; }
@@ -81,6 +84,7 @@ private:
     QPointF division_{0.5, 0.5};
     QSize view_;
     std::vector<Vec3> spanning_;
+    bool ownParallel_ = false;
     std::array<ViewPane, kCount> panes_;
     std::vector<std::size_t> shown_{kOwn};
     std::size_t active_ = kOwn, used_ = kOwn;

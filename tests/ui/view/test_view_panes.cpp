@@ -1,5 +1,7 @@
 // Where the panes of a divided view are, which of them a place is in, and what they are called.
+#include <algorithm>
 #include <numbers>
+#include <random>
 
 #include <QTest>
 
@@ -125,9 +127,9 @@ private slots:
         QCOMPARE(name(ViewPanes::kOwn), QStringLiteral("Own view"));
     }
 
-    // A plate 3 long and 1 high, from the front in parallel: its picture is as large as the tighter side
-    // allows, so in a pane of another size it grows or shrinks as that side does.
-    void inAnotherSizeAllIsAsMuchLargerAsWhatIsFramed() {
+    // A plate 3 long and 1 high, from the front in parallel, looked at beside its middle: the picture is as
+    // large as the tighter side allows, so in a pane of another size it grows or shrinks as that side does.
+    void inAnotherSizeTheSceneFillsAsMuchOfThePicture() {
         const std::vector<Vec3> plate{{-1.5, -0.5, 0}, {1.5, 0.5, 0}};
         for (const double zoom : {1.0, 0.3, 2.5}) { // framed, and nearer and farther than that
             ViewPanes panes;
@@ -139,23 +141,90 @@ private slots:
             pane.camera.fit(plate);
             pane.fitted = true;
             pane.camera.distance *= zoom;
-            pane.camera.focus = {0.2, 0.1, 0};
+            pane.camera.focus = {0.2, 0.1, 0}; // 1.7 and 0.6 to the farther edges
             const ViewCamera before = pane.camera;
             const auto length = [&] {
                 const ViewCamera& camera = pane.camera;
                 return camera.project({1, 0, 0})->x() - camera.project({0, 0, 0})->x();
             };
-            const double at600 = length();
-            panes.layOut({300, 400}); // half as wide
-            COMPARE_NEAR(length(), 0.5 * at600, 1e-9, "pixels");
-            panes.layOut({300, 150}); // still as wide
-            COMPARE_NEAR(length(), 0.5 * at600, 1e-9, "pixels");
-            panes.layOut({300, 50}); // now the height is what it lacks: 50 are half of the 100 that it filled
-            COMPARE_NEAR(length(), 0.25 * at600, 1e-9, "pixels");
+            const auto largest = [](double width, double height) {
+                return std::min(0.5 * width / 1.7, 0.5 * height / 0.6);
+            };
+            const double part = length() / largest(600, 400);
+            for (const QSize size : {QSize(300, 400), QSize(300, 150), QSize(300, 50), QSize(900, 800)}) {
+                panes.layOut(size);
+                COMPARE_NEAR(length(), part * largest(size.width(), size.height()), 1e-9, "pixels");
+            }
             panes.layOut({600, 400});
             COMPARE_NEAR(pane.camera.distance, before.distance, 1e-12 * before.distance, "m");
             QVERIFY(pane.camera.focus == before.focus);
         }
+    }
+
+    // Turned, moved and with vanishing points: what no formula is short for.
+    void whatIsWholeStaysWholeFromAnywhere() {
+        std::mt19937 random(7);
+        const auto among = [&](double low, double high) {
+            return std::uniform_real_distribution<double>(low, high)(random);
+        };
+        int whole = 0, tall = 0;
+        for (int i = 0; i < 2000; ++i) {
+            std::vector<Vec3> points;
+            for (int k = 0; k < 30; ++k)
+                points.emplace_back(among(-1, 1), among(-0.3, 0.3), among(-2, 2));
+            ViewPanes panes;
+            ViewPane& pane = panes[ViewPanes::kOwn];
+            panes.setSpanning(points);
+            panes.layOut({int(among(100, 900)), int(among(100, 900))});
+            pane.camera.fit(points);
+            pane.fitted = true;
+            pane.camera.yaw = among(-4, 4);
+            pane.camera.pitch = among(-1.5, 1.5);
+            pane.camera.distance *= among(0.7, 3);
+            pane.camera.parallel = i % 2 == 0;
+            pane.camera.focus += Vec3(among(-0.1, 0.1), among(-0.1, 0.1), among(-0.1, 0.1));
+            const ViewCamera before = pane.camera;
+            panes.layOut({int(among(100, 900)), int(among(100, 900))});
+            const auto isWhole = [&](const ViewCamera& camera) {
+                return std::ranges::all_of(points, [&](const Vec3& p) {
+                    const auto at = camera.project(p);
+                    return at && QRectF({-1e-6, -1e-6}, camera.size + QSizeF(2e-6, 2e-6)).contains(*at);
+                });
+            };
+            whole += isWhole(before);
+            tall += pane.camera.size.width() < pane.camera.size.height();
+            if (isWhole(before)) QVERIFY2(isWhole(pane.camera), qPrintable(QString::number(i)));
+            panes.layOut(before.size.toSize());
+            COMPARE_NEAR(pane.camera.distance, before.distance, 1e-9 * before.distance, "m");
+        }
+        QVERIFY(whole > 500 && whole < 1990 && tall > 500);
+    }
+
+    void theProjectionLeavesWholeWhatIsWholeAndElseTheFocusItsSize() {
+        const std::vector<Vec3> plate{{-1.5, 0, -1.5}, {1.5, 0.1, 1.5}, {-1.5, 0, 1.5}, {1.5, 0, -1.5}};
+        ViewPanes panes;
+        panes.setSpanning(plate);
+        panes.layOut({600, 400});
+        ViewPane& pane = panes[ViewPanes::kOwn];
+        panes.setParallel(ViewPanes::kOwn, true);
+        pane.camera.pitch = 0.3; // along it: its near edge is large with vanishing points
+        pane.camera.fit(plate);
+        pane.fitted = true;
+        const ViewCamera before = pane.camera;
+        const double part = before.filled(plate);
+        panes.setParallel(ViewPanes::kOwn, false);
+        QVERIFY(!pane.camera.parallel);
+        COMPARE_NEAR(pane.camera.filled(plate), part, 1e-9, "");
+        panes.setParallel(ViewPanes::kOwn, true);
+        COMPARE_NEAR(pane.camera.distance, before.distance, 1e-9 * before.distance, "m");
+        pane.camera.distance *= 0.2;
+        const double near = pane.camera.distance;
+        panes.setParallel(ViewPanes::kOwn, false);
+        QCOMPARE(pane.camera.distance, near);
+        // What is chosen is kept with another scene, what a kept camera brought is not.
+        pane.camera.parallel = true;
+        panes.plan();
+        QVERIFY(!panes[ViewPanes::kOwn].camera.parallel && panes[ViewPanes::kTop].camera.parallel);
     }
 
     void aPaneThatWasNeverFramedKeepsItsCamera() {

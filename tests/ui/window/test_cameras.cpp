@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QMenu>
 #include <QMenuBar>
+#include <QSettings>
 #include <QTest>
 #include <QTimer>
 #include <QUndoStack>
@@ -72,6 +73,7 @@ private slots:
     void aNameThatIsTakenIsNotLost();
     void thePaletteHasWhatTheMenuHas();
     void theProjectionComesBack();
+    void whatACameraBringsIsNoChoice();
     void theyAreInTheFile();
 };
 
@@ -195,6 +197,23 @@ void TestCameras::theProjectionComesBack() {
     choose(program, {"plan"});
     QVERIFY(program.command("parallel").isChecked());
     QTRY_COMPARE_LT_WITH_TIMEOUT(apart(seen(program), before), 1e-3, kPatience);
+}
+
+// A kept camera is drawn as it was kept; the next scene begins as the person likes it.
+void TestCameras::whatACameraBringsIsNoChoice() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    QAction& parallel = program.command("parallel");
+    parallel.trigger();
+    keepAs(program, QStringLiteral("plan"));
+    parallel.trigger();
+    choose(program, {"plan"});
+    QVERIFY(program.window->view().camera().parallel);
+    QVERIFY(!QSettings().value(QStringLiteral("view/parallel")).toBool());
+    program.document.history().setClean();
+    const QTemporaryDir other;
+    QVERIFY(program.open(writeCube(other)));
+    QVERIFY(!program.window->view().camera().parallel && !parallel.isChecked());
 }
 
 void TestCameras::theyAreInTheFile() {

@@ -49,6 +49,7 @@ private slots:
     void aViewIsSeenWholeInHalfTheWidthAndComesBack();
     void aWindowOfAnotherSizeShowsAllOfTheModel();
     void anotherDocumentBeginsWithThePlans();
+    void whatComesInIsSeenInEveryPane();
     void theProjectionIsThatOfTheActivePane();
     void aDoubleClickOnALineMakesItsPanesEqual();
 };
@@ -76,6 +77,12 @@ void TestSplitFrames::aViewIsSeenWholeInHalfTheWidthAndComesBack() {
     QCOMPARE_GT(filled(view.cameraOf(0)), 0.6 / nearer); // and no smaller than it must be
     // Whoever turns it meanwhile keeps where he looks from.
     divided.press(Qt::Key_1);
+    QVERIFY(same(view.camera(), before));
+    // Nor does the projection cut it off.
+    divided.press(Qt::Key_5, Qt::ControlModifier);
+    QVERIFY(view.camera().parallel);
+    QCOMPARE_LT(filled(view.camera()), kMost);
+    divided.press(Qt::Key_5, Qt::ControlModifier);
     QVERIFY(same(view.camera(), before));
     divided.press(Qt::Key_2);
     divided.orbit(divided.pane(0).center(), {30, 0});
@@ -118,6 +125,19 @@ void TestSplitFrames::anotherDocumentBeginsWithThePlans() {
     const auto finger = view.camera().project(view.handGoal());
     QVERIFY(finger && QRectF({0, 0}, view.camera().size).contains(*finger));
     QVERIFY(!view.surfaceAt(view.panes()[view.activePane()].topLeft() + *finger));
+}
+
+// It is in the picture of the own view already, and not in the one from the front.
+void TestSplitFrames::whatComesInIsSeenInEveryPane() {
+    Divided divided;
+    divided.program.wheel(divided.pane(kFrontPane).center(), 8);
+    QCOMPARE_GT(filled(divided.cameras()[kFrontPane]), 1);
+    divided.program.moveTo(divided.pane(kOwnPane).center());
+    const std::size_t before = divided.program.document.scene().objects.size();
+    divided.program.command("add-box").trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(divided.program.document.scene().objects.size(), before + 1, kPatience);
+    for (std::size_t i = 0; i < 4; ++i)
+        QTRY_COMPARE_LT_WITH_TIMEOUT(filled(divided.cameras()[i]), 1, kPatience);
 }
 
 void TestSplitFrames::theProjectionIsThatOfTheActivePane() {
