@@ -1,4 +1,5 @@
 // The recovery journal: whole at every moment, written only where it changed, honest about damage.
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <fstream>
@@ -190,6 +191,23 @@ void TestJournal::aPowerCutLeavesTheOldOrTheNew() {
         if (!writeJournal(desk.folder, entryOf(1 + i % 2), i % 2 == 0 ? desk.first : desk.second)) _exit(1);
 }
 
+/// A child that has begun, however long it took to make it.
+template <class Does> static pid_t forkedBegun(Does does) {
+    std::array<int, 2> begun{};
+    if (pipe(begun.data()) != 0) qFatal("no pipe");
+    const pid_t child = fork();
+    if (child == 0) {
+        close(begun[1]);
+        does();
+    }
+    close(begun[1]);
+    char none = 0;
+    if (::read(begun[0], &none, 1) != 0)
+        qFatal("nothing was sent"); // it ends once the child has closed its end, too
+    close(begun[0]);
+    return child;
+}
+
 void TestJournal::aKillAtAnyMomentLeavesTheOldOrTheNew() {
     const int kills = test::repeats("TACTUM_KILLS", 200);
     Desk desk(otherShapes());
@@ -201,8 +219,7 @@ void TestJournal::aKillAtAnyMomentLeavesTheOldOrTheNew() {
     std::minstd_rand random(1);
     int changed = 0, before = desk.held();
     for (int i = 0; i < kills; ++i) {
-        const pid_t child = fork();
-        if (child == 0) journalForEver(desk, before == 1);
+        const pid_t child = forkedBegun([&] { journalForEver(desk, before == 1); });
         usleep(unsigned(random()) % (2 * oneSave));
         kill(child, SIGKILL);
         int status = 0;

@@ -250,7 +250,7 @@ private slots:
             shown.view.setPictureLimits(kNoTime);
             QCOMPARE_GT(all[0], 2 * all[2]);
             for (std::size_t i = 0; i < places.size(); ++i)
-                COMPARE_NEAR(few[i], all[i], 0.15 * all[0], "pixels");
+                COMPARE_NEAR(few[i], all[i], 0.25 * all[0], "pixels");
             const QImage resting = shown.rest();
             QVERIFY(!shown.view.drawsCoarse());
             QCOMPARE_GT(steps(resting), steps(small));
