@@ -160,8 +160,8 @@ bool SceneView::Impl::isSeen(const Vec3& p_W) const {
     return at && inside.contains(*at) && picker.isClear(camera().eye(), p_W);
 }
 
-// To the right of the picture, where there is room in most windows; and last before the model, where it is
-// seen for certain.
+// To the right of the picture, where there is room in most windows; then before the model, where it is seen
+// for certain; and last over a side of its box, for a model as large as the hand's reach.
 std::optional<Vec3> SceneView::placeBeside(double reach) const {
     const Bounds& box = impl_->picker.bounds();
     if (box.empty()) return std::nullopt;
@@ -173,7 +173,8 @@ std::optional<Vec3> SceneView::placeBeside(double reach) const {
     };
     const double slant = std::numbers::sqrt2 / 2;
     for (const Vec3& way : {right, Vec3(-right), Vec3(slant * (right + up)), Vec3(slant * (up - right)), up,
-                            Vec3(-up), Vec3(-camera.forward())})
+                            Vec3(-up), Vec3(-camera.forward()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitX()),
+                            Vec3(Vec3::UnitZ()), Vec3(-Vec3::UnitX()), Vec3(-Vec3::UnitZ())})
         for (const double part : {kBesideFar, kBesideNear, 0.0})
             if (const Vec3 at = place(way, part); (reach <= 0 || at.norm() < reach) && impl_->isSeen(at))
                 return at;
