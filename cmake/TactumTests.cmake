@@ -105,6 +105,7 @@ function(tactum_tests room)
       set_property(TEST ${test} APPEND PROPERTY LABELS gui)
       set_property(TEST ${test} APPEND PROPERTY
         ENVIRONMENT "QT_QPA_PLATFORM=xcb" "XDG_CONFIG_HOME=${CMAKE_CURRENT_BINARY_DIR}/config"
+        "MESA_SHADER_CACHE_DIR=${CMAKE_BINARY_DIR}/shaders" # one for all, wherever a test puts its folders
         "LP_NUM_THREADS=1") # drawing without a graphics card: two threads wait for each other as long as they draw
     endif()
   endforeach()

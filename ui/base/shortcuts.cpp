@@ -442,8 +442,9 @@ constexpr Manner kManners[] = {
     {"Wheel, Ctrl+drag while touching", "move the finger along the view"},
     {"G",
      "the finger follows the mouse until a click or Esc; with the select tool: move the layer's mapping"},
-    {"G, R, S, move tool", "move, turn, scale the selected objects with the mouse; X, Y, Z keep to an axis, "
-                           "a click or Enter ends it"},
+    {"G, R, S, move tool",
+     "move, turn, scale the selected objects with the mouse, or by a number that is typed; "
+     "X, Y, Z keep to an axis, a click or Enter ends it"},
     {"Drag of a handle",
      "Ctrl snaps to 5 mm, 15 degrees and 0.1, Shift is ten times finer, Esc or the right button gives it up"},
     {"Del, Ctrl+D, Alt+Up, Alt+Down", "in the list of layers: remove, duplicate, move"},

@@ -17,6 +17,7 @@ constexpr double kAmountEdge = 4; ///< pixels, that the numbers keep from the ed
 constexpr double kArrow = 92, kArrowGap = 16, kTurnRing = 66, kOuter = 116; // pixels
 constexpr double kPlaneNear = 24, kPlaneFar = 42;
 constexpr double kFine = 0.1;
+constexpr qsizetype kMostTyped = 12; // keys
 constexpr double kOneDegree = std::numbers::pi / 180;
 // Even steps, and those of fine ways.
 constexpr double kMoveStep = 5e-3, kFineMove = 5e-4;
@@ -140,12 +141,14 @@ ArrangeGizmo::Shapes ArrangeGizmo::shapes(const ViewCamera& camera) const {
 bool ArrangeGizmo::take(QPointF cursor, const ViewCamera& camera) {
     free_ = false;
     led_ = cursor;
+    typed_.clear();
     return HandlesOf::take(cursor, camera);
 }
 
 void ArrangeGizmo::grabFree(ArrangeHandle handle, QPointF cursor) {
     free_ = true;
     led_ = cursor;
+    typed_.clear();
     grab(handle, cursor);
 }
 
@@ -156,6 +159,38 @@ void ArrangeGizmo::keepTo(int axis) {
 
 void ArrangeGizmo::lead(QPointF step, bool fine) {
     led_ += (fine ? kFine : 1) * step;
+}
+
+bool ArrangeGizmo::type(int key) {
+    const bool isDigit = key >= Qt::Key_0 && key <= Qt::Key_9;
+    const bool isPoint = key == Qt::Key_Period || key == Qt::Key_Comma;
+    if (key == Qt::Key_Backspace)
+        typed_.chop(1);
+    else if (key == Qt::Key_Minus)
+        typed_ = typed_.startsWith(u'-') ? typed_.sliced(1) : u'-' + typed_;
+    else if (isDigit && typed_.size() < kMostTyped)
+        typed_ += QString::number(key - Qt::Key_0);
+    else if (isPoint && !typed_.contains(u'.'))
+        typed_ += u'.';
+    return isDigit || isPoint || key == Qt::Key_Backspace || key == Qt::Key_Minus;
+}
+
+bool ArrangeGizmo::mayMove(int axis) const {
+    const ArrangeHandle handle = held_->handle;
+    return movesAlong(handle) ? axis == axisOf(handle) : !movesIn(handle) || axis != axisOf(handle);
+}
+
+Arrangement ArrangeGizmo::typed(const ViewCamera& camera) const {
+    Arrangement by;
+    by.about = held_->value.translation;
+    const double number = typed_.toDouble();
+    if (held_->handle == Scale)
+        by.scale = number > 0 ? number : 1;
+    else if (turns(held_->handle))
+        by.turn = Quat(Eigen::AngleAxisd(number * kOneDegree, turnAxis(camera)));
+    else
+        by.move = 1e-3 * number * held_->value.rotate(Vec3::Unit(mayMove(0) ? 0 : mayMove(1) ? 1 : 2));
+    return by;
 }
 
 Vec3 ArrangeGizmo::draggedMove(const ViewCamera& camera) const {
@@ -186,6 +221,7 @@ double ArrangeGizmo::draggedTurn(const ViewCamera& camera) const {
 Arrangement ArrangeGizmo::dragged(const ViewCamera& camera, bool snapped, bool fine) const {
     Arrangement by;
     if (!held_) return by;
+    if (!typed_.isEmpty()) return typed(camera);
     const Pose& frame = held_->value;
     by.about = frame.translation;
     if (held_->handle == Scale) {
@@ -206,18 +242,20 @@ Arrangement ArrangeGizmo::dragged(const ViewCamera& camera, bool snapped, bool f
 }
 
 QString ArrangeGizmo::words(const Arrangement& now, const ViewCamera& camera) const {
-    if (held_->handle == Scale) return QStringLiteral("\u00d7 ") + numberOf(now.scale, 3);
+    const auto told = [this](double value, int decimals) {
+        return typed_.isEmpty() ? numberOf(value, decimals) : typed_;
+    };
+    if (held_->handle == Scale) return QStringLiteral("\u00d7 ") + told(now.scale, 3);
     if (turns(held_->handle)) {
         const Eigen::AngleAxisd turn(now.turn);
         const double angle = turn.axis().dot(turnAxis(camera)) < 0 ? -turn.angle() : turn.angle();
-        return numberOf(angle / kOneDegree, 1) + QStringLiteral("\u00b0");
+        return told(angle / kOneDegree, 1) + QStringLiteral("\u00b0");
     }
     const Vec3 way = held_->value.rotateInverse(now.move);
     QStringList parts;
     for (int i = 0; i < 3; ++i)
-        if (!movesAlong(held_->handle) ? !movesIn(held_->handle) || i != axisOf(held_->handle)
-                                       : i == axisOf(held_->handle))
-            parts << QStringLiteral("xyz").sliced(i, 1) + u' ' + numberOf(1e3 * way[i], 2);
+        if (mayMove(i) && (typed_.isEmpty() || parts.isEmpty()))
+            parts << QStringLiteral("xyz").sliced(i, 1) + u' ' + told(1e3 * way[i], 2);
     return parts.join(QStringLiteral(", ")) + QStringLiteral(" mm");
 }
 

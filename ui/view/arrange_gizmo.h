@@ -44,6 +44,10 @@ public:
     bool take(QPointF cursor, const ViewCamera& camera) override;
     /// The pointer went on; `fine`: it counts for a tenth.
     void lead(QPointF step, bool fine);
+    /// A key of a number, which counts instead of the pointer: mm along the first axis that it may move
+    /// along, degrees or a factor. Minus turns the sign round, without digits the pointer counts again.
+    /// False: no such key.
+    bool type(int key);
     /// What the drag comes to so far; `snapped`: in even steps, smaller ones where it is fine.
     Arrangement dragged(const ViewCamera& camera, bool snapped, bool fine) const;
 
@@ -56,10 +60,13 @@ private:
     Vec3 draggedMove(const ViewCamera& camera) const;
     double draggedTurn(const ViewCamera& camera) const;
     Vec3 turnAxis(const ViewCamera& camera) const;
+    Arrangement typed(const ViewCamera& camera) const;
+    bool mayMove(int axis) const;
     QString words(const Arrangement& now, const ViewCamera& camera) const;
 
     bool free_ = false;
-    QPointF led_; ///< where the pointer would be without fine ways
+    QString typed_; ///< a number, or what is there of it
+    QPointF led_;   ///< where the pointer would be without fine ways
 };
 
 } // namespace tactum

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -28,6 +30,17 @@ public:
     Eigen::Vector3i cubeOf(std::size_t index) const {
         const int i = int(index), row = i / count_[0];
         return {i % count_[0], row % count_[1], row / count_[1]};
+    }
+    /// How far a place in the grid is from its end in a direction of unit length; a little less, so that all
+    /// places on the way are in it.
+    float wayOut(const Eigen::Vector3f& from, const Eigen::Vector3f& toward) const {
+        constexpr float kLess = 1 - 1e-4F;
+        float least = std::numeric_limits<float>::max();
+        for (int i = 0; i < 3; ++i) {
+            const float room = toward[i] > 0 ? float(count_[std::size_t(i)]) - from[i] : from[i];
+            if (toward[i] != 0) least = std::min(least, room / std::abs(toward[i]));
+        }
+        return kLess * least;
     }
     static Eigen::Vector3i cubeAt(const Vec3& p) { return p.array().floor().cast<int>(); }
     int at(std::size_t cube) const { return cubes_[cube]; }

@@ -13,16 +13,24 @@ namespace {
 constexpr int kMargin = 3;            ///< cubes about the scene
 constexpr int kNear = 3;              ///< cubes: farther off a surface nothing is looked up
 constexpr float kBehind = 0.3F;       ///< the cosine from which on a cube is seen from behind for sure
-constexpr int kDirections = 64;       ///< in which a place looks around
+constexpr int kDirections = 64;       ///< in which cubes beside each other look around,
+constexpr int kTurns = 4;             ///< each in every fourth of them
 constexpr double kSamplesApart = 0.5; ///< cubes, of the points that stand for a triangle
 
+/// A direction in which a cube looks.
+struct Look {
+    Eigen::Vector3f toward;
+    float stride; ///< cubes, on the way of one cube along the axis that it goes along most
+};
+
 /// Evenly over the sphere, on a spiral of the golden angle.
-std::array<Vec3, kDirections> directions() {
-    std::array<Vec3, kDirections> all;
+std::array<Look, kDirections> looks() {
+    std::array<Look, kDirections> all;
     const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
     for (int i = 0; i < kDirections; ++i) {
         const double y = 1 - (2 * i + 1.0) / kDirections, across = std::sqrt(1 - y * y);
-        all[std::size_t(i)] = {across * std::cos(golden * i), y, across * std::sin(golden * i)};
+        const Vec3 toward(across * std::cos(golden * i), y, across * std::sin(golden * i));
+        all[std::size_t(i)] = {toward.cast<float>(), float(1 / toward.cwiseAbs().maxCoeff())};
     }
     return all;
 }
@@ -54,8 +62,16 @@ struct SolidCubes {
         });
     }
 
+    /// After all was added.
+    void finish() {
+        distances.spread();
+        for (Eigen::Vector3f& normal : facing)
+            if (const float length = normal.norm(); length > 0) normal /= length;
+    }
+
     CubeDistances distances;
-    std::vector<Eigen::Vector3f> facing; ///< the sum of the normals at its points
+    std::vector<Eigen::Vector3f>
+        facing; ///< the sum of the normals at its points, at last their mean direction
 };
 
 /// Looks around from each cube near a surface.
@@ -63,7 +79,7 @@ class Bake {
 public:
     /// `reach`: in cubes.
     Bake(const SolidCubes& solid, double reach)
-        : distances_(solid.distances), facing_(solid.facing), reach_(reach) {}
+        : distances_(solid.distances), facing_(solid.facing), reach_(float(reach)) {}
 
     /// Nothing for cancelled work. What some rays miss of small things is smoothed away; cubes that hold a
     /// surface, from which nothing is seen, are as dark as those about them, and dark where there are none.
@@ -73,7 +89,7 @@ public:
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (!meter.goesOn(i)) return std::nullopt;
             if (distances_.at(i) == 0) all[i] = Light::Zero();
-            if (isNear(i)) all[i] = around(distances_.cubeOf(i).cast<double>() + Vec3::Constant(0.5));
+            if (isNear(i)) all[i] = around(distances_.cubeOf(i));
         }
         all = averaged(all, [this](std::size_t i) { return isNear(i); });
         return averaged(all, [this](std::size_t i) { return distances_.at(i) == 0; });
@@ -82,30 +98,32 @@ public:
 private:
     bool isNear(std::size_t cube) const { return distances_.at(cube) > 0 && distances_.at(cube) <= kNear; }
 
-    Light around(const Vec3& middle) const {
+    /// The cubes about it have the other directions, and the mean of them all is taken.
+    Light around(const Eigen::Vector3i& cube) const {
+        const Eigen::Vector3f middle = cube.cast<float>().array() + 0.5F;
         Light light = Light::Zero();
-        for (const Vec3& direction : directions_) {
-            const double open = openTo(middle, direction);
-            light.head<3>() += (2 * open / kDirections * direction).cast<float>();
-            light[3] += float(open / kDirections);
+        for (std::size_t i = std::size_t((cube.x() + 2 * cube.y() + 3 * cube.z()) % kTurns);
+             i < looks_.size(); i += kTurns) {
+            const float open = openTo(middle, looks_[i]) * kTurns / kDirections;
+            light.head<3>() += 2 * open * looks_[i].toward;
+            light[3] += open;
         }
         return light;
     }
 
     /// In steps over what is known to be empty. Who sees a surface from behind is inside of something.
-    double openTo(const Vec3& from, const Vec3& direction) const {
-        for (double far = 0;;) {
-            const Eigen::Vector3i at = CubeDistances::cubeAt(from + far * direction);
-            if (!distances_.holds(at)) return 1;
-            const std::size_t cube = distances_.indexOf(at);
+    float openTo(const Eigen::Vector3f& from, const Look& look) const {
+        const float end = distances_.wayOut(from, look.toward);
+        for (float far = 0; far < end;) {
+            const std::size_t cube = distances_.indexOf((from + far * look.toward).cast<int>());
             const int empty = distances_.at(cube);
             if (empty == 0) {
-                const Eigen::Vector3f& facing = facing_[cube];
-                const bool behind = facing.dot(direction.cast<float>()) > kBehind * facing.norm();
-                return behind ? 0 : std::min(1.0, far * far / (reach_ * reach_));
+                const bool behind = facing_[cube].dot(look.toward) > kBehind;
+                return behind ? 0 : std::min(1.F, far * far / (reach_ * reach_));
             }
-            far += std::max(0.5, empty - 1.0);
+            far += std::max(0.5F, float(empty - 1) * look.stride);
         }
+        return 1;
     }
 
     /// Those that are wanted, of the near ones about them.
@@ -127,8 +145,8 @@ private:
 
     const CubeDistances& distances_;
     const std::vector<Eigen::Vector3f>& facing_;
-    const double reach_;
-    const std::array<Vec3, kDirections> directions_ = tactum::directions();
+    const float reach_;
+    const std::array<Look, kDirections> looks_ = looks();
 };
 
 std::uint8_t byteOf(float part) {
@@ -178,7 +196,7 @@ std::optional<OcclusionVolume> occlusionOf(std::span<const ShadowCaster> casters
         solid.add(corners);
     };
     if (!forEachStanding(casters, progress, fill)) return std::nullopt;
-    solid.distances.spread();
+    solid.finish();
     const auto lights = Bake(solid, detail.reach * detail.along).lights(progress);
     if (!lights) return std::nullopt;
     volume.values.reserve(4 * lights->size());

@@ -329,6 +329,7 @@ protected:
     void prepareFrame() override;
     void preparePicture(std::size_t number) override;
     void paintOver() override;
+    void rested() override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;

@@ -164,6 +164,14 @@ void SceneView::Impl::setHovered(std::optional<SurfaceRef> surface) {
     emit view.surfaceHovered(surface);
 }
 
+/// What lies under a pointer that did not move may be another surface: the camera has turned, or a body has
+/// gone by.
+void SceneView::rested() {
+    if (!impl_->pointer || impl_->drag != ViewDrag::None || impl_->hand.grip() != Grip::None) return;
+    const auto hit = impl_->pick(*impl_->pointer, ScenePicker::Patience::Now);
+    impl_->setHovered(hit ? std::optional(hit->surface) : std::nullopt);
+}
+
 bool SceneView::Impl::dragOver(QDropEvent& event) {
     setHovered(view.surfaceAt(event.position()));
     event.setDropAction(Qt::CopyAction);
@@ -342,7 +350,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
     const bool pad = event->modifiers() & Qt::KeypadModifier;
     const double scale = event->modifiers() & Qt::ShiftModifier ? kFineStep : 1;
     if (event->key() == Qt::Key_Home) return fit();
-    if (pad && impl_->cameraKey(event->key())) return;
+    if (pad && !impl_->holdsArranging() && impl_->cameraKey(event->key())) return;
     impl_->panes.use();
     if (impl_->handKey(event->key(), impl_->pane().inside(mapFromGlobal(QCursor::pos()))) ||
         impl_->nudgeKey(event->key(), scale))

@@ -46,14 +46,15 @@ void SceneView::Impl::giveUpHandles() {
 
 bool SceneView::Impl::arrangeKey(int key) {
     if (holdsArranging()) {
-        if (key >= Qt::Key_X && key <= Qt::Key_Z) {
-            arranging.keepTo(key - Qt::Key_X);
-            leadHandles(cursorAt, QGuiApplication::keyboardModifiers());
-        } else if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
             letGo();
-        } else {
-            return false;
+            return true;
         }
+        if (key >= Qt::Key_X && key <= Qt::Key_Z)
+            arranging.keepTo(key - Qt::Key_X);
+        else if (!arranging.type(key))
+            return false;
+        leadHandles(cursorAt, QGuiApplication::keyboardModifiers());
         return true;
     }
     if (tool != ViewTool::Arrange || drag != ViewDrag::None) return false;

@@ -40,8 +40,11 @@ VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent), impl_(std::make_u
     impl_->rest.setInterval(kRestMilliseconds);
     connect(&impl_->rest, &QTimer::timeout, this, [this] {
         impl_->resting = true;
-        impl_->finished = false;
-        update();
+        if (impl_->software) {
+            impl_->finished = false;
+            update();
+        }
+        rested();
     });
 }
 
@@ -78,7 +81,7 @@ void VtkWidget::releaseContext() {
 
 void VtkWidget::changed() {
     impl_->resting = impl_->finished = false;
-    if (impl_->software) impl_->rest.start();
+    impl_->rest.start();
     update();
 }
 

@@ -50,6 +50,8 @@ protected:
     virtual void preparePicture(std::size_t) {}
     /// Draws on top with QPainter; called after each frame.
     virtual void paintOver() {}
+    /// Nothing has changed for a quarter of a second.
+    virtual void rested() {}
     /// Asks for a frame because what it shows has changed.
     void changed();
     /// The widget as it would look at rest, multisampled on every machine.

@@ -298,6 +298,23 @@ private slots:
         QCOMPARE(shown.colourAt(upper).lightness(), before);
     }
 
+    // The pointer stays while the camera goes: what it lies on then is another thing.
+    void hoverFollowsTheCamera() {
+        Shown shown;
+        shown.view.grabPicture();
+        QSignalSpy hovered(&shown.view, &SceneView::surfaceHovered);
+        const QPoint upper = kCentre - QPoint(0, 60);
+        QTRY_VERIFY((shown.move(upper, Qt::NoButton), !hovered.isEmpty()));
+        QCOMPARE(hovered.last()[0].value<Picked>()->surface, kUpper);
+        ViewCamera other = shown.view.camera();
+        other.focus.y() += 10 * other.distance; // the ball lies far below
+        shown.view.flyTo(other);
+        QTRY_VERIFY(!hovered.last()[0].value<Picked>());
+        shown.view.showStandardView(StandardView::Front);
+        QTRY_VERIFY(hovered.last()[0].value<Picked>().has_value());
+        QCOMPARE(hovered.last()[0].value<Picked>()->surface, kUpper);
+    }
+
     // A painter has drawn over the frames before, and left the context as it likes it.
     void edgesAreSmoothAtRest() {
         Shown shown;

@@ -95,6 +95,10 @@ struct Desk {
         program.frames(2);
     }
     void key(int code) { QTest::keyClick(&view, Qt::Key(code)); }
+    void type(const QString& number, Qt::KeyboardModifiers modifiers = {}) {
+        for (const QChar each : number)
+            QTest::keyClick(&view, each.toLatin1(), modifiers);
+    }
     double pixel() const { return view.camera().pixelSize(view.arranging().shown()->translation); }
     void keep(const char* name) {
         if (const QString folder = qEnvironmentVariable("TACTUM_KEEP_PICTURES"); !folder.isEmpty())
@@ -273,6 +277,60 @@ private slots:
         desk.key(Qt::Key_Escape);
         COMPARE_NEAR(desk.side(1), 0.04, 1e-12, "m");
         QCOMPARE(desk.program.document.history().count(), steps + 2);
+    }
+
+    // As in Blender: what is typed counts, to the digit, and not the mouse; each of it is one step.
+    void aNumberIsTypedWhileItIsHeld() {
+        Desk desk(folder_);
+        desk.view.setFocus();
+        desk.click({0.05, 0, 0.02});
+        const int steps = desk.program.document.history().count();
+        desk.key(Qt::Key_G);
+        desk.type(QStringLiteral("12.5"));
+        COMPARE_NEAR(desk.middle(1), Vec3(0.0625, 0, 0), 1e-12, "m");
+        desk.key(Qt::Key_Y);
+        COMPARE_NEAR(desk.middle(1), Vec3(0.05, 0.0125, 0), 1e-12, "m");
+        desk.mouse(QEvent::MouseMove, desk.seen({0.05, 0, 0.02}) + QPoint(90, 30), {}, Qt::NoButton);
+        COMPARE_NEAR(desk.middle(1), Vec3(0.05, 0.0125, 0), 1e-12, "m");
+        desk.key(Qt::Key_Minus);
+        desk.key(Qt::Key_Backspace);
+        COMPARE_NEAR(desk.middle(1), Vec3(0.05, -0.012, 0), 1e-12, "m");
+        desk.keep("typed");
+        desk.key(Qt::Key_Return);
+        COMPARE_NEAR(desk.middle(1), Vec3(0.05, -0.012, 0), 1e-12, "m");
+        QCOMPARE(desk.program.document.history().count(), steps + 1);
+
+        desk.key(Qt::Key_R);
+        desk.key(Qt::Key_Z);
+        desk.type(QStringLiteral("-90"));
+        desk.key(Qt::Key_Return);
+        COMPARE_NEAR(Vec3(desk.object(1).pose.rotate(Vec3::UnitX())), Vec3(0, -1, 0), 1e-12, "");
+        desk.key(Qt::Key_S);
+        desk.type(QStringLiteral("0,5")); // nought and its point scale nothing yet
+        COMPARE_NEAR(desk.side(1), 0.02, 1e-12, "m");
+        desk.key(Qt::Key_Escape);
+        COMPARE_NEAR(desk.side(1), 0.04, 1e-12, "m");
+        QCOMPARE(desk.program.document.history().count(), steps + 2);
+
+        // With a handle in the plane of y and z: along y. The next drag begins without the number.
+        desk.lead(ArrangeHandle::MoveYZ, {30, 20});
+        desk.type(QStringLiteral("3"));
+        desk.mouse(QEvent::MouseButtonRelease, desk.led);
+        COMPARE_NEAR(desk.middle(1), Vec3(0.05, -0.009, 0), 1e-12, "m");
+        desk.drag(ArrangeHandle::MoveX, {50, 0});
+        QCOMPARE_GT(desk.middle(1).x(), 0.055);
+    }
+
+    // The numeric pad, whose digits turn the camera at other times.
+    void theNumericPadTypesToo() {
+        Desk desk(folder_);
+        desk.view.setFocus();
+        desk.click({0.05, 0, 0.02});
+        const double yaw = desk.view.camera().yaw;
+        desk.key(Qt::Key_G);
+        desk.type(QStringLiteral("3"), Qt::KeypadModifier);
+        COMPARE_NEAR(desk.middle(1).x(), 0.053, 1e-12, "m");
+        COMPARE_NEAR(desk.view.camera().yaw, yaw, 1e-12, "rad");
     }
 
     // Shift in the middle of a drag: a tenth of the way.
