@@ -118,22 +118,35 @@ struct Beside {
     double latency; ///< s
 };
 
-/// J, of all bodies, with what their springs hold.
-double energyOf(const Proxy& proxy) {
-    const MovingBodies& moving = *proxy.world->moving;
-    Dynamics dynamics(moving.mechanism());
-    DynamicState now = dynamics.startState();
-    if (proxy.state.bodies.of == moving.key()) {
-        std::copy_n(proxy.state.bodies.q.begin(), proxy.state.bodies.qs, now.q.data());
-        std::copy_n(proxy.state.bodies.v.begin(), proxy.state.bodies.vs, now.v.data());
+/// Of all bodies of a proxy's world, with what their springs hold.
+class Energy {
+public:
+    explicit Energy(const Proxy& proxy)
+        : proxy_(proxy), moving_(*proxy.world->moving), dynamics_(moving_.mechanism()),
+          bodies_(moving_.mechanism()->bodies.size()) {}
+
+    /// J
+    double operator()() {
+        now_ = start_;
+        if (const auto& state = proxy_.state.bodies; state.of == moving_.key()) {
+            std::copy_n(state.q.begin(), state.qs, now_.q.data());
+            std::copy_n(state.v.begin(), state.vs, now_.v.data());
+        }
+        dynamics_.describe(now_, moving_.gravity(), bodies_);
+        double energy = dynamics_.springEnergy(now_);
+        for (const BodyState& body : bodies_)
+            energy += body.kinetic + body.potential;
+        return energy;
     }
-    std::vector<BodyState> bodies(moving.mechanism()->bodies.size());
-    dynamics.describe(now, moving.gravity(), bodies);
-    double energy = dynamics.springEnergy(now);
-    for (const BodyState& body : bodies)
-        energy += body.kinetic + body.potential;
-    return energy;
-}
+
+private:
+    const Proxy& proxy_;
+    const MovingBodies& moving_;
+    Dynamics dynamics_;
+    const DynamicState start_ = dynamics_.startState();
+    DynamicState now_ = start_;
+    std::vector<BodyState> bodies_;
+};
 
 /// A top that spins under the finger, beside its axis.
 Scene top() {
@@ -177,12 +190,13 @@ Seen meet(const Bench& bench, const Beside& beside, const Meeting& meeting, bool
     loop.plant.place(above, {0, 0, -meeting.impact});
     loop.plant.setGoal({meeting.aside, 0, meeting.impact > 0 ? kRadius - 0.01 : kRadius});
     loop.plant.voluntary.z() = -meeting.force;
-    const double before = energyOf(proxy);
+    Energy energy(proxy);
+    const double before = energy();
     Seen seen;
     Range motion, force, body;
     double last = 0;
     loop.run(seconds, [&](const ClosedLoop& now) {
-        const double lost = before - energyOf(proxy);
+        const double lost = before - energy();
         seen.given = std::max(seen.given, now.plant.given() - std::max(lost, 0.0));
         seen.jump = std::max(seen.jump, std::abs(now.command.z() - last));
         last = now.command.z();
@@ -220,6 +234,7 @@ Made work(const Connected& device, const HandProfile& hand, const Meeting& met, 
     loop.warmUp();
     HandScript script(7, kRadius, 0.25);
     Made made;
+    Energy energy(proxy);
     constexpr std::size_t kWindow = 100; // ticks
     std::array<double, kWindow> before{};
     double least = 0;
@@ -230,7 +245,7 @@ Made work(const Connected& device, const HandProfile& hand, const Meeting& met, 
         spring.stiffness = std::max(1.0, servo.state.transition.rendered().stiffness);
         spring.stretch = servo.state.previous.load / spring.stiffness;
         spring.limit = bench.device.maxForce;
-        const double all = now.plant.given() + energyOf(proxy) + spring.stored();
+        const double all = now.plant.given() + energy() + spring.stored();
         const bool free = now.command.isZero(0);
         least = free ? all : std::min(least, all);
         touching += !free;
@@ -365,17 +380,18 @@ private slots:
             loop.plant.setGoal(above);
             loop.warmUp();
             loop.plant.voluntary.z() = -1;
-            const double before = energyOf(proxy);
+            Energy energy(proxy);
+            const double before = energy();
             double given = -1e300, jump = 0;
             Vec3 last = Vec3::Zero();
             loop.run(3, [&](const ClosedLoop& now) {
-                given = std::max(given, now.plant.given() - std::max(0.0, before - energyOf(proxy)));
+                given = std::max(given, now.plant.given() - std::max(0.0, before - energy()));
                 jump = std::max(jump, (now.command - last).norm());
                 last = now.command;
             });
             ++cases;
             most = std::max(most, given);
-            const bool touched = energyOf(proxy) < 0.9 * before;
+            const bool touched = energy() < 0.9 * before;
             if (touched && given <= kGiven && jump <= kJump * bench.device.maxForce &&
                 servo.state.gate.faults() == 0)
                 return;
@@ -383,8 +399,7 @@ private slots:
             qWarning(
                 "%s in %s, %g Hz, %d late; proxy %g Hz, %g ms: %g mJ, %g N a tick, %g of %g J, %d faults",
                 bench.device.name, bench.hand.name, bench.timing.rate, bench.timing.delay, beside.rate,
-                1e3 * beside.latency, 1e3 * given, jump, energyOf(proxy), before,
-                int(servo.state.gate.faults()));
+                1e3 * beside.latency, 1e3 * given, jump, energy(), before, int(servo.state.gate.faults()));
         });
         qInfo("%d of %d, %g mJ", bad, cases, 1e3 * most);
         QCOMPARE(bad, 0);

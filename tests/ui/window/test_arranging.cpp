@@ -312,8 +312,8 @@ private slots:
         COMPARE_NEAR(desk.side(1), 0.04, 1e-12, "m");
         QCOMPARE(desk.program.document.history().count(), steps + 2);
 
-        // With a handle in the plane of y and z: along y. The next drag begins without the number.
-        desk.lead(ArrangeHandle::MoveYZ, {30, 20});
+        // With a handle as well, along what it moves along. The next drag begins without the number.
+        desk.lead(ArrangeHandle::MoveY, {0, -20});
         desk.type(QStringLiteral("3"));
         desk.mouse(QEvent::MouseButtonRelease, desk.led);
         COMPARE_NEAR(desk.middle(1), Vec3(0.05, -0.009, 0), 1e-12, "m");

@@ -177,12 +177,14 @@ void TestCompare::whatTheFingerDidIsAStroke() {
     QCOMPARE_NE(comparison.result()->difference.workA, 0); // it did touch
     // Once more from where it is now, inside: it feels what the finger feels.
     QVERIFY(program.atRest());
+    const Vec3 rested = program.touch().force;
     QVERIFY(isCalled(program, "compare-record"));
     program.frames(20);
     QVERIFY(isCalled(program, "compare-record"));
     QVERIFY(isCompared(comparison));
     const Vec3 felt = comparison.result()->b->back().force;
     QCOMPARE_GT(felt.norm(), 0.1);
+    COMPARE_NEAR(felt, rested, 0.05 * felt.norm(), "");
     COMPARE_NEAR(felt, program.touch().force, 0.05 * felt.norm(), "");
     program.release(program.centre());
     // From the middle of it on: a finger that is inside at the beginning feels what it felt.
