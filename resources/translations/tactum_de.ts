@@ -8060,8 +8060,8 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>den Finger entlang der Blickrichtung bewegen</translation>
         </message>
         <message>
-            <source>move, turn, scale the selected objects with the mouse; X, Y, Z keep to an axis, a click or Enter ends it</source>
-            <translation>die gewählten Objekte mit der Maus verschieben, drehen, skalieren; X, Y, Z bleiben auf einer Achse, ein Klick oder Eingabe beendet es</translation>
+            <source>move, turn, scale the selected objects with the mouse, or by a number that is typed; X, Y, Z keep to an axis, a click or Enter ends it</source>
+            <translation>die gewählten Objekte mit der Maus oder durch eine getippte Zahl verschieben, drehen, skalieren; X, Y, Z bleiben auf einer Achse, ein Klick oder Eingabe beendet es</translation>
         </message>
         <message>
             <source>moves by its keys</source>

@@ -21,11 +21,21 @@ void PlantAxis::moveHand(double voluntary, double dt) {
     handX += 0.5 * (before + handV) * dt;
 }
 
+PlantAxis::Step PlantAxis::stepOf(double dt) const {
+    const double half = 0.5 * device_.damping * dt / mass_, mobility = dt / mass_ / (1 + half);
+    const double lag = device_.amplifierLag;
+    return {.dt = dt,
+            .amplifier = lag > 0 ? -std::expm1(-dt / lag) : 1,
+            .keeps = (1 - half) / (1 + half),
+            .mobility = mobility,
+            .brake = device_.friction * mobility};
+}
+
 // Karnopp's dry friction: what it can stop within the step it stops. The mean of old and new velocity makes
 // force times way the exact work.
 void PlantAxis::advance(double command, double voluntary, double dt) {
-    force = device_.amplifierLag > 0 ? force + (command - force) * -std::expm1(-dt / device_.amplifierLag)
-                                     : command;
+    if (dt != step_.dt) step_ = stepOf(dt);
+    force = device_.amplifierLag > 0 ? force + (command - force) * step_.amplifier : command;
     double push = force;
     if (hand_.rigid)
         push += hand_.armStiffness * (goal - x) - hand_.armDamping * v + voluntary;
@@ -35,10 +45,8 @@ void PlantAxis::advance(double command, double voluntary, double dt) {
         push += voluntary;
     if (!hand_.rigid && hand_.mass > 0) moveHand(voluntary, dt);
 
-    const double half = 0.5 * device_.damping * dt / mass_;
-    const double free = (v * (1 - half) + push * dt / mass_) / (1 + half);
-    const double brake = device_.friction * dt / mass_ / (1 + half);
-    const double next = std::abs(free) <= brake ? 0 : free - std::copysign(brake, free);
+    const double free = v * step_.keeps + push * step_.mobility;
+    const double next = std::abs(free) <= step_.brake ? 0 : free - std::copysign(step_.brake, free);
     const double mean = 0.5 * (v + next);
     const double loss = push * mean * dt - 0.5 * mass_ * (next * next - v * v);
     given += force * mean * dt - loss;

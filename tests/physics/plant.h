@@ -28,11 +28,21 @@ public:
     double lost = 0; ///< J, in the device
 
 private:
+    /// What depends on the length of a step alone: the steps of a tick are as long as each other.
+    struct Step {
+        double dt = 0;        ///< s
+        double amplifier = 1; ///< part of the way from its force to the command
+        double keeps = 1;     ///< of the velocity, after the device's damping
+        double mobility = 0;  ///< s/kg, velocity for a push
+        double brake = 0;     ///< m/s, that dry friction takes at most
+    };
+    Step stepOf(double dt) const;
     void moveHand(double voluntary, double dt);
 
     PlantProfile device_;
     HandProfile hand_;
     double mass_ = 1;
+    Step step_;
 };
 
 /// Three axes that do not know of each other; frame D. `axes` = 1: only the third one moves.

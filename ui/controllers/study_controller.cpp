@@ -236,6 +236,8 @@ void StudyController::hideAll() {
             hid_.push_back(each);
         }
     bench_.notice.hide();
+    title_ = window.windowTitle();
+    window.setWindowTitle(tr("Study[*] - Tactum"));
     window.setAcceptDrops(false);
     bench_.view.setFocusPolicy(Qt::NoFocus); // keys are the page's
     bench_.view.setOverlayVisible(study_->run().design().view == StudyView::Shown);
@@ -254,6 +256,7 @@ void StudyController::showAll() {
     for (QWidget* each : std::exchange(hid_, {}))
         each->show();
     if (std::exchange(hidPanels_, false)) bench_.actions["panels"].setChecked(false);
+    bench_.window.setWindowTitle(title_);
     bench_.window.setAcceptDrops(true);
     bench_.view.setFocusPolicy(Qt::StrongFocus);
     bench_.view.setOverlayVisible(bench_.actions["overlay"].isChecked());

@@ -74,6 +74,7 @@ private:
     std::vector<QAction*> off_;     ///< commands that come back when the run ends,
     std::vector<QWidget*> hid_;     ///< and bars
     bool hidPanels_ = false;        ///< the study did, not the person
+    QString title_;                 ///< of the window, while a run shows none
 };
 
 } // namespace tactum

@@ -222,6 +222,7 @@ void SceneView::setSelectBrush(std::optional<double> radius) {
 void SceneView::setTool(ViewTool tool) {
     impl_->endStroke(StrokeStep::Cancel);
     impl_->letGo();
+    if (tool != impl_->tool) impl_->regionNext.reset();
     impl_->tool = tool;
     impl_->brushAt.reset();
     impl_->measureNext.reset();

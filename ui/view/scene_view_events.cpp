@@ -229,6 +229,8 @@ bool SceneView::Impl::handKey(int key, QPointF cursor) {
         emit view.selectBrushLeft();
     } else if (key == Qt::Key_Escape && (hand.grip() != Grip::None || hand.gliding())) {
         letGo(true);
+        showCursor(cursor);
+        return false; // the same key leaves the presentation
     } else if (key == Qt::Key_G && tool != ViewTool::Touch) {
         emit view.mappingAsked();
     } else if (key == Qt::Key_G) {

@@ -75,6 +75,7 @@ void ToolStrip::addLabel(const QString& text) {
 
 void ToolStrip::addChoices(const QString& what, const QList<QAction*>& actions, const QStringList& names) {
     auto* list = new QComboBox;
+    list->setFocusPolicy(Qt::TabFocus); // chosen by the mouse it leaves the keys to the view
     list->setAccessibleName(what);
     list->addItems(names);
     for (int i = 0; i < int(actions.size()); ++i) {

@@ -94,8 +94,9 @@ private slots:
               double(sum.allocations) / kExchanges, most.allocations, int(most.bytes),
               double(sum.locks) / kExchanges, most.locks, sum.waits);
         QCOMPARE_GT(valid, kExchanges / 2);
-        QCOMPARE_GT(sum.allocations, 0);   // they are counted at all
-        // In time 7 allocations and 60 locks; a late one takes up at most what all reads of the stream have got.
+        QCOMPARE_GT(sum.allocations, 0); // they are counted at all
+        // In time 7 allocations and 60 locks; a late one takes up at most what all reads of the stream have
+        // got.
         constexpr int kReads = 3; // of UsbLink::startStream()
         QCOMPARE_LE(most.allocations, 7 * kReads);
         QCOMPARE_LE(most.bytes, std::size_t(4096));
