@@ -237,7 +237,7 @@ void StudyController::hideAll() {
         }
     bench_.notice.hide();
     title_ = window.windowTitle();
-    window.setWindowTitle(tr("Study[*] - Tactum"));
+    window.setWindowTitle(QStringLiteral("Tactum[*]"));
     window.setAcceptDrops(false);
     bench_.view.setFocusPolicy(Qt::NoFocus); // keys are the page's
     bench_.view.setOverlayVisible(study_->run().design().view == StudyView::Shown);

@@ -180,16 +180,24 @@ bool ArrangeGizmo::mayMove(int axis) const {
     return movesAlong(handle) ? axis == axisOf(handle) : !movesIn(handle) || axis != axisOf(handle);
 }
 
+std::optional<double> ArrangeGizmo::number() const {
+    bool isNumber = false;
+    const double number = typed_.toDouble(&isNumber);
+    if (!isNumber || (held_->handle == Scale && number <= 0)) return std::nullopt;
+    return number;
+}
+
 Arrangement ArrangeGizmo::typed(const ViewCamera& camera) const {
     Arrangement by;
     by.about = held_->value.translation;
-    const double number = typed_.toDouble();
+    const auto number = this->number();
+    if (!number) return by;
     if (held_->handle == Scale)
-        by.scale = number > 0 ? number : 1;
+        by.scale = *number;
     else if (turns(held_->handle))
-        by.turn = Quat(Eigen::AngleAxisd(number * kOneDegree, turnAxis(camera)));
+        by.turn = Quat(Eigen::AngleAxisd(*number * kOneDegree, turnAxis(camera)));
     else
-        by.move = 1e-3 * number * held_->value.rotate(Vec3::Unit(mayMove(0) ? 0 : mayMove(1) ? 1 : 2));
+        by.move = 1e-3 * *number * held_->value.rotate(Vec3::Unit(mayMove(0) ? 0 : mayMove(1) ? 1 : 2));
     return by;
 }
 
@@ -243,7 +251,7 @@ Arrangement ArrangeGizmo::dragged(const ViewCamera& camera, bool snapped, bool f
 
 QString ArrangeGizmo::words(const Arrangement& now, const ViewCamera& camera) const {
     const auto told = [this](double value, int decimals) {
-        return typed_.isEmpty() ? numberOf(value, decimals) : typed_;
+        return typed_.isEmpty() ? numberOf(value, decimals) : number() ? typed_ : typed_ + u'?';
     };
     if (held_->handle == Scale) return QStringLiteral("\u00d7 ") + told(now.scale, 3);
     if (turns(held_->handle)) {

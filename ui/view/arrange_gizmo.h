@@ -61,6 +61,8 @@ private:
     double draggedTurn(const ViewCamera& camera) const;
     Vec3 turnAxis(const ViewCamera& camera) const;
     Arrangement typed(const ViewCamera& camera) const;
+    /// What is typed, once it is a number that the handle can take.
+    std::optional<double> number() const;
     bool mayMove(int axis) const;
     QString words(const Arrangement& now, const ViewCamera& camera) const;
 

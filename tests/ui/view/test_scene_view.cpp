@@ -298,6 +298,18 @@ private slots:
         QCOMPARE(shown.colourAt(upper).lightness(), before);
     }
 
+    void aBoxThatWasToBeDrawnEndsWithItsTool() {
+        Shown shown;
+        QSignalSpy drawn(&shown.view, &SceneView::boxDrawn);
+        for (const ViewTool tool : {ViewTool::Select, ViewTool::Touch}) {
+            shown.view.setTool(ViewTool::Select);
+            shown.view.beginRegion(RegionShape::Box);
+            shown.view.setTool(tool);
+            shown.drag({5, 5}, {60, 80});
+            QCOMPARE(drawn.size(), 1);
+        }
+    }
+
     // The pointer stays while the camera goes: what it lies on then is another thing.
     void hoverFollowsTheCamera() {
         Shown shown;

@@ -73,6 +73,7 @@ private slots:
     void aRecordingBecomesAVideo();
     void aCancelledVideoIsComplete();
     void thePresentationLeavesTheViewAlone();
+    void oneTapLeavesThePresentationWithTheFingerPressed();
     void thePresentationComesBackToHiddenPanels();
     void aReportIsWritten();
 };
@@ -244,6 +245,21 @@ void TestShowing::thePresentationLeavesTheViewAlone() {
     QCOMPARE(view.font().pointSizeF(), words);
     QVERIFY(window.statusBar()->isVisible());
     QCOMPARE_GT(window.menuBar()->height(), 10);
+}
+
+void TestShowing::oneTapLeavesThePresentationWithTheFingerPressed() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    QTest::keyClick(&program.window->view(), Qt::Key_F11);
+    QVERIFY(waitFor([&] { return program.window->isFullScreen(); }));
+    QVERIFY(program.fullForce());
+    program.press(program.centre());
+    QVERIFY(waitFor([&] { return program.touch().contacts > 0; }));
+    QTest::keyClick(&program.window->view(), Qt::Key_Escape);
+    QVERIFY(waitFor([&] { return !program.window->isFullScreen(); }));
+    QVERIFY(program.atRest());
+    QCOMPARE(program.touch().contacts, 0); // it lets go as well
+    program.release(program.centre());
 }
 
 void TestShowing::thePresentationComesBackToHiddenPanels() {

@@ -248,6 +248,7 @@ void TestStudy::anAbxFromNothingToItsLogs() {
         const QString words = wordsIn(*program.window);
         const auto [first, isNew] = seen.try_emplace(interval, words);
         QCOMPARE(words, first->second); // the same whatever is felt
+        QVERIFY2(!words.contains(program.document.title()), qPrintable(words));
     };
     std::vector<std::array<double, 3>> felt;
     for (int trial = 0; trial < kTrials; ++trial) {
