@@ -99,14 +99,7 @@ function(tactum_tests room)
       set_property(TEST ${test} PROPERTY RUN_SERIAL ON)
     endif()
     if(name IN_LIST T_GUI)
-      set_property(TEST ${test} PROPERTY RESOURCE_LOCK display) # one keyboard; other tests run beside it
-      set_property(TEST ${test} PROPERTY COST 200) # first, for the last of them ends the run
-      # Settings of their own: a test neither reads nor changes the person's.
-      set_property(TEST ${test} APPEND PROPERTY LABELS gui)
-      set_property(TEST ${test} APPEND PROPERTY
-        ENVIRONMENT "QT_QPA_PLATFORM=xcb" "XDG_CONFIG_HOME=${CMAKE_CURRENT_BINARY_DIR}/config"
-        "MESA_SHADER_CACHE_DIR=${CMAKE_BINARY_DIR}/shaders" # one for all, wherever a test puts its folders
-        "LP_NUM_THREADS=1") # drawing without a graphics card: two threads wait for each other as long as they draw
+      tactum_gui_test(${test})
     endif()
   endforeach()
 endfunction()
@@ -117,6 +110,19 @@ function(tactum_ctest name)
   cmake_parse_arguments(T "" "ROOM" "COMMAND;LABELS" ${ARGN})
   add_test(NAME ${name} COMMAND ${T_COMMAND})
   set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS "${T_ROOM};${T_LABELS}" ENVIRONMENT "TACTUM_BUSY=1")
+endfunction()
+
+# tactum_gui_test(NAME [variable=value...]): the test of that name needs the display, with more of an environment.
+function(tactum_gui_test test)
+  set_property(TEST ${test} PROPERTY RESOURCE_LOCK display) # one keyboard; other tests run beside it
+  set_property(TEST ${test} PROPERTY COST 200) # first, for the last of them ends the run
+  set_property(TEST ${test} APPEND PROPERTY LABELS gui)
+  # Settings of their own: a test neither reads nor changes the person's.
+  set_property(TEST ${test} APPEND PROPERTY
+    ENVIRONMENT "QT_QPA_PLATFORM=xcb" "XDG_CONFIG_HOME=${CMAKE_CURRENT_BINARY_DIR}/config"
+    "MESA_SHADER_CACHE_DIR=${CMAKE_BINARY_DIR}/shaders" # one for all, wherever a test puts its folders
+    "LP_NUM_THREADS=1" # drawing without a graphics card: two threads wait for each other as long as they draw
+    ${ARGN})
 endfunction()
 
 # tactum_quiet_test(ROOM NAME [PROGRAM name] FUNCTIONS function...): functions of a test of the room that judge the
