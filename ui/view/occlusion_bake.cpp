@@ -70,8 +70,7 @@ struct SolidCubes {
     }
 
     CubeDistances distances;
-    std::vector<Eigen::Vector3f>
-        facing; ///< the sum of the normals at its points, at last their mean direction
+    std::vector<Eigen::Vector3f> facing; ///< the sum of the normals at its points, at last of unit length
 };
 
 /// Looks around from each cube near a surface.

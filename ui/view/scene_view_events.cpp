@@ -142,7 +142,7 @@ void SceneView::Impl::endRegion(QPointF cursor, Qt::KeyboardModifiers modifiers)
 
 void SceneView::Impl::hoverAt(QPointF cursor) {
     const auto hit = pick(cursor, ScenePicker::Patience::Now);
-    setHovered(hit ? std::optional(hit->surface) : std::nullopt);
+    hoverOn(hit);
     if (tool == ViewTool::Paint) {
         brushAt = hit;
         view.changed();
@@ -154,6 +154,10 @@ void SceneView::Impl::hoverAt(QPointF cursor) {
     showCursor(cursor);
     // The handle under the mouse is lit, and the ring goes with it.
     if (brushes() || std::ranges::any_of(handles, &ViewHandles::shows)) view.changed();
+}
+
+void SceneView::Impl::hoverOn(const std::optional<PickHit>& hit) {
+    setHovered(hit ? std::optional(hit->surface) : std::nullopt);
 }
 
 void SceneView::Impl::setHovered(std::optional<SurfaceRef> surface) {
@@ -168,8 +172,7 @@ void SceneView::Impl::setHovered(std::optional<SurfaceRef> surface) {
 /// gone by.
 void SceneView::rested() {
     if (!impl_->pointer || impl_->drag != ViewDrag::None || impl_->hand.grip() != Grip::None) return;
-    const auto hit = impl_->pick(*impl_->pointer, ScenePicker::Patience::Now);
-    impl_->setHovered(hit ? std::optional(hit->surface) : std::nullopt);
+    impl_->hoverOn(impl_->pickAt(*impl_->pointer, ScenePicker::Patience::Now));
 }
 
 bool SceneView::Impl::dragOver(QDropEvent& event) {
@@ -298,7 +301,7 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
     if (impl_->drag == ViewDrag::Lines) return impl_->leadLines(event->position());
     const QPointF cursor = impl_->pointAt(event->position());
-    impl_->pointer = cursor;
+    impl_->pointer = event->position();
     if (lengthOf(cursor - impl_->pressedAt) > kClickPixels) impl_->moved = true;
     if (impl_->drag != ViewDrag::None || impl_->hand.grip() == Grip::Follow)
         impl_->dragTo(cursor, event->modifiers());

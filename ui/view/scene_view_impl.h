@@ -131,6 +131,7 @@ struct SceneView::Impl {
     /// Lights up what the drag would fall onto; whether there is anything.
     bool dragOver(QDropEvent& event);
     void refreshHover();
+    void hoverOn(const std::optional<PickHit>& hit);
     void setHovered(std::optional<SurfaceRef> surface);
     std::optional<MeasurePoint> measureAt(QPointF cursor, ScenePicker::Patience patience) const;
     void measureFrom(QPointF cursor);
@@ -218,7 +219,7 @@ struct SceneView::Impl {
     std::optional<RegionShape> regionNext; ///< what the next drag draws
     QPolygonF lasso;                       ///< where the drag went that draws it
     std::optional<double> selectBrush;     ///< its radius, logical pixels
-    std::optional<QPointF> pointer;        ///< while it is over the view
+    std::optional<QPointF> pointer;        ///< in all of the view, while it is over it
     QStringList dropTypes;
 
     ViewTool tool = ViewTool::Touch;

@@ -22,7 +22,7 @@ const QPointF kNoCursor(-1e6, -1e6);
 
 /// What is drawn over the view to select it.
 void SceneView::Impl::drawRegion(QPainter& painter) const {
-    if (brushes() && pointer) drawSelectBrush(painter, *pointer, *selectBrush, theme());
+    if (brushes() && pointer) drawSelectBrush(painter, pane().inside(*pointer), *selectBrush, theme());
     if (!drawsRegion()) return;
     QColor fill = theme().accent;
     painter.setPen(fill);

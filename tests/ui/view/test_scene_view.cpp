@@ -11,7 +11,7 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/support/waiting.h"
-#include "tests/ui/view/ball_scene.h"
+#include "tests/ui/view/shown_ball.h"
 #include "ui/base/theme.h"
 #include "ui/view/hand_tool.h"
 #include "ui/view/scene_picker.h"
@@ -24,84 +24,6 @@ using namespace tactum;
 using namespace tactum::testing;
 
 namespace {
-
-using Picked = std::optional<SurfaceRef>;
-constexpr QSize kSize(640, 480);
-const QPoint kCentre(320, 240);
-
-/// A view of the ball from the front, on the screen.
-struct Shown {
-    Shown() : scene(ballScene()) {
-        view.resize(kSize);
-        view.setScene(scene);
-        view.show();
-        if (!QTest::qWaitForWindowExposed(&view)) qFatal("no window");
-        view.showStandardView(StandardView::Front);
-    }
-
-    /// The camera that the view must have now: the same fit from the front.
-    ViewCamera camera() const {
-        ViewCamera camera;
-        camera.fieldOfView = EIGEN_PI / 6;
-        camera.size = kSize;
-        camera.fit(spanningPoints(scene));
-        return camera;
-    }
-    QPoint pixelOf(const Vec3& p) const { return camera().project(p)->toPoint(); }
-
-    void touch(const Vec3& finger, const Vec3& proxy, const Vec3& force = Vec3::Zero()) {
-        ProxyTelemetry out;
-        out.updates = 1;
-        out.finger = finger;
-        out.output.proxy = proxy;
-        out.output.force = force;
-        out.output.contacts = force.norm() > 0;
-        out.output.contact[0].point = proxy;
-        out.output.contact[0].normal = Vec3::UnitZ();
-        ServoTelemetry servo;
-        servo.ticks = 1;
-        servo.finger = finger;
-        servo.force = force;
-        view.setHandGoal(finger);
-        view.setHaptics(out, servo, 8, true);
-    }
-
-    void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
-              Qt::KeyboardModifiers keys = {}) {
-        QTest::mousePress(&view, button, keys, from);
-        move(0.5 * (from + to), button, keys);
-        move(to, button, keys);
-        QTest::mouseRelease(&view, button, keys, to);
-    }
-    void move(QPoint to, Qt::MouseButtons buttons, Qt::KeyboardModifiers keys = {}) {
-        QMouseEvent event(QEvent::MouseMove, to, view.mapToGlobal(QPointF(to)), Qt::NoButton, buttons, keys);
-        QApplication::sendEvent(&view, &event);
-    }
-    void wheel(QPoint at, int notches) {
-        QWheelEvent event(at, view.mapToGlobal(QPointF(at)), {}, {0, 120 * notches}, Qt::NoButton, {},
-                          Qt::NoScrollPhase, false);
-        QApplication::sendEvent(&view, &event);
-    }
-    /// Until the finger has come to where it glides. A slow machine may be a long way from it for a while.
-    void waitForHand() {
-        Vec3 before = Vec3::Constant(qQNaN());
-        const bool arrived = test::waitFor([&] {
-            const bool rests = view.handGoal() == before;
-            before = view.handGoal();
-            // The parts of a press have one goal each, for 0.18 s at most.
-            if (!rests) QTest::qWait(300);
-            return rests;
-        });
-        if (!arrived) qFatal("the finger does not come to rest");
-    }
-    QColor colourAt(QPoint pixel) {
-        const QImage picture = view.grabPicture();
-        return picture.pixelColor((QPointF(pixel) * picture.devicePixelRatio()).toPoint());
-    }
-
-    Scene scene;
-    SceneView view;
-};
 
 /// How often a widget is painted.
 class PaintCount : public QObject {
@@ -134,15 +56,15 @@ public:
 
 private slots:
     void showsTheModelBeforeABackground() {
-        Shown shown;
+        ShownBall shown;
         const QImage picture = shown.view.grabPicture();
-        QCOMPARE(picture.size(), kSize * shown.view.devicePixelRatioF());
-        QCOMPARE_GT(difference(shown.colourAt(kCentre), shown.colourAt({12, 240})), 120);
+        QCOMPARE(picture.size(), kBallView * shown.view.devicePixelRatioF());
+        QCOMPARE_GT(difference(shown.colourAt(kBallCentre), shown.colourAt({12, 240})), 120);
         QCOMPARE_LT(difference(shown.colourAt({12, 240}), shown.colourAt({12, 236})), 12);
     }
 
     void itsColourIsTheSurfaces() {
-        Shown shown;
+        ShownBall shown;
         shown.scene.objects[0].surfaces[kUpper].colour = {0.6f, 0.05f, 0.05f};
         shown.view.setScene(shown.scene);
         QCOMPARE_GT(shown.colourAt({320, 180}).red(), 2 * shown.colourAt({320, 180}).green());
@@ -152,7 +74,7 @@ private slots:
     // Looked at from the front with the front cut off: a disc of one plain tone, unlike the lit outside. A
     // click there meets the far side from within, and the finger before it is not cut.
     void aSectionShowsTheInsideInAPlainTone() {
-        Shown shown;
+        ShownBall shown;
         shown.view.setOverlayVisible(false);
         const auto inDisc = [&](double x, double y) {
             return shown.colourAt(shown.pixelOf(kBallRadius * Vec3(x, y, 0)));
@@ -177,7 +99,7 @@ private slots:
     }
 
     void theHandlesOfASectionLeadIt() {
-        Shown shown;
+        ShownBall shown;
         shown.view.showStandardView(StandardView::Right); // the normal lies in the picture, to the left
         shown.view.setSection(SectionPlane{});
         std::optional<SectionPlane> led;
@@ -201,11 +123,11 @@ private slots:
     }
 
     void bodiesThatMoveAreShownWhereTheyAre() {
-        Shown shown;
+        ShownBall shown;
         const Track<Vec3> aside{Interpolation::Linear, {0, 2}, {Vec3::Zero(), {0.12, 0, 0}}, {}, {}};
         shown.scene.objects[0].motion = std::make_shared<const Motion>(makeMotion(aside, {}, 2));
         shown.view.setScene(shown.scene);
-        const QColor ball = shown.colourAt(kCentre);
+        const QColor ball = shown.colourAt(kBallCentre);
         ProxyTelemetry proxy;
         proxy.updates = 1;
         proxy.finger = proxy.output.proxy = {0, 1, 0}; // out of sight
@@ -213,14 +135,14 @@ private slots:
             proxy.time = time;
             shown.view.setHaptics(proxy, {}, 8, false);
             const QPoint there = shown.pixelOf({0.06 * time, 0, kBallRadius});
-            if (there.x() < kSize.width()) QCOMPARE_LT(difference(shown.colourAt(there), ball), 40);
-            QCOMPARE(difference(shown.colourAt(kCentre), ball) < 40, time == 0);
+            if (there.x() < kBallView.width()) QCOMPARE_LT(difference(shown.colourAt(there), ball), 40);
+            QCOMPARE(difference(shown.colourAt(kBallCentre), ball) < 40, time == 0);
         }
     }
 
     // Pushed by its start velocity of 0.06 m/s: after a second it is seen there, and picked there.
     void whatForcesMoveIsShownAndPickedWhereItIs() {
-        Shown shown;
+        ShownBall shown;
         RigidBody body;
         body.id = 1;
         body.velocity = {0.06, 0, 0};
@@ -231,7 +153,7 @@ private slots:
         shown.view.setScene(shown.scene);
         shown.view.setWorld(world);
         shown.view.setTool(ViewTool::Select);
-        const QColor ball = shown.colourAt(kCentre);
+        const QColor ball = shown.colourAt(kBallCentre);
         SimState state;
         for (int i = 0; i < 1000; ++i)
             hapticStep(*world, state, {.finger = {0, 1, 0}}, 1e-3);
@@ -242,10 +164,10 @@ private slots:
         shown.view.setHaptics(proxy, {}, 8, false);
         const QPoint there = shown.pixelOf({0.06, 0, kBallRadius});
         QCOMPARE_LT(difference(shown.colourAt(there), ball), 40);
-        QCOMPARE_GT(difference(shown.colourAt(kCentre), ball), 40);
+        QCOMPARE_GT(difference(shown.colourAt(kBallCentre), ball), 40);
         QSignalSpy picked(&shown.view, &SceneView::picked);
         QTest::mouseClick(&shown.view, Qt::LeftButton, {}, there);
-        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre);
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kBallCentre);
         QCOMPARE(picked.size(), 2);
         const auto hit = [&](int i) { return picked[i][0].value<std::optional<PickHit>>(); };
         QVERIFY(hit(0));
@@ -254,7 +176,7 @@ private slots:
     }
 
     void themesDiffer() {
-        Shown shown;
+        ShownBall shown;
         shown.view.setTheme(false);
         const int light = shown.colourAt({12, 12}).lightness();
         shown.view.setTheme(true);
@@ -262,12 +184,12 @@ private slots:
     }
 
     void aClickChoosesTheSurfaceThatIsThere() {
-        Shown shown;
+        ShownBall shown;
         shown.view.setTool(ViewTool::Select);
         const ObjectId ball = shown.scene.objects[0].id;
         QSignalSpy picked(&shown.view, &SceneView::picked);
-        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre - QPoint(0, 60));
-        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre + QPoint(40, 60));
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kBallCentre - QPoint(0, 60));
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kBallCentre + QPoint(40, 60));
         QTest::mouseClick(&shown.view, Qt::LeftButton, {}, QPoint(10, 10));
         QCOMPARE(picked.size(), 3);
         const auto hit = [&](int i) { return picked[i][0].value<std::optional<PickHit>>(); };
@@ -277,29 +199,15 @@ private slots:
     }
 
     void aDragChoosesNothing() {
-        Shown shown;
+        ShownBall shown;
         shown.view.setTool(ViewTool::Select);
         QSignalSpy picked(&shown.view, &SceneView::picked);
-        shown.drag(kCentre, kCentre + QPoint(50, 20));
+        shown.drag(kBallCentre, kBallCentre + QPoint(50, 20));
         QVERIFY(picked.isEmpty());
     }
 
-    void hoverNamesAndBrightensTheSurface() {
-        Shown shown;
-        shown.view.grabPicture(); // time for the hierarchy
-        QSignalSpy hovered(&shown.view, &SceneView::surfaceHovered);
-        const QPoint upper = kCentre - QPoint(0, 60);
-        const int before = shown.colourAt(upper).lightness();
-        QTRY_VERIFY((shown.move(upper, Qt::NoButton), !hovered.isEmpty()));
-        QCOMPARE(hovered.last()[0].value<Picked>()->surface, kUpper);
-        QCOMPARE_GT(shown.colourAt(upper).lightness(), before + 4);
-        shown.move({5, 5}, Qt::NoButton);
-        QVERIFY(!hovered.last()[0].value<Picked>());
-        QCOMPARE(shown.colourAt(upper).lightness(), before);
-    }
-
     void aBoxThatWasToBeDrawnEndsWithItsTool() {
-        Shown shown;
+        ShownBall shown;
         QSignalSpy drawn(&shown.view, &SceneView::boxDrawn);
         for (const ViewTool tool : {ViewTool::Select, ViewTool::Touch}) {
             shown.view.setTool(ViewTool::Select);
@@ -310,26 +218,9 @@ private slots:
         }
     }
 
-    // The pointer stays while the camera goes: what it lies on then is another thing.
-    void hoverFollowsTheCamera() {
-        Shown shown;
-        shown.view.grabPicture();
-        QSignalSpy hovered(&shown.view, &SceneView::surfaceHovered);
-        const QPoint upper = kCentre - QPoint(0, 60);
-        QTRY_VERIFY((shown.move(upper, Qt::NoButton), !hovered.isEmpty()));
-        QCOMPARE(hovered.last()[0].value<Picked>()->surface, kUpper);
-        ViewCamera other = shown.view.camera();
-        other.focus.y() += 10 * other.distance; // the ball lies far below
-        shown.view.flyTo(other);
-        QTRY_VERIFY(!hovered.last()[0].value<Picked>());
-        shown.view.showStandardView(StandardView::Front);
-        QTRY_VERIFY(hovered.last()[0].value<Picked>().has_value());
-        QCOMPARE(hovered.last()[0].value<Picked>()->surface, kUpper);
-    }
-
     // A painter has drawn over the frames before, and left the context as it likes it.
     void edgesAreSmoothAtRest() {
-        Shown shown;
+        ShownBall shown;
         QImage moving, resting;
         for (int i = 0; i < 3; ++i) {
             shown.view.moveCamera(0.1, 0);
@@ -345,8 +236,8 @@ private slots:
     }
 
     void anEditLeavesTheHoverAlone() {
-        Shown shown;
-        const QPoint upper = kCentre - QPoint(0, 60);
+        ShownBall shown;
+        const QPoint upper = kBallCentre - QPoint(0, 60);
         QSignalSpy hovered(&shown.view, &SceneView::surfaceHovered);
         QTRY_VERIFY((shown.move(upper, Qt::NoButton), !hovered.isEmpty()));
         const QColor lit = shown.colourAt(upper);
@@ -359,7 +250,7 @@ private slots:
     }
 
     void selectionIsOutlinedInTheAccent() {
-        Shown shown;
+        ShownBall shown;
         const QPoint rim = shown.pixelOf({0, kBallRadius, 0}) - QPoint(0, 1);
         const QColor before = shown.colourAt(rim);
         shown.view.setSelection({{shown.scene.objects[0].id, kUpper}});
@@ -367,7 +258,7 @@ private slots:
         for (int dy = -6; dy <= 6; ++dy)
             nearest = std::min(nearest, difference(shown.colourAt(rim + QPoint(0, dy)), kDarkTheme.accent));
         QCOMPARE_LT(nearest, 60);
-        shown.wheel(kCentre, -4); // the outline goes with the model
+        shown.wheel(kBallCentre, -4); // the outline goes with the model
         nearest = 1e3;
         for (int dy = -6; dy <= 6; ++dy)
             nearest = std::min(nearest, difference(shown.colourAt(rim + QPoint(0, dy)), kDarkTheme.accent));
@@ -379,7 +270,7 @@ private slots:
 
     // While nothing else changes: finger and proxy span a box in which the ball moves.
     void theOutlineGoesWithItsBody() {
-        Shown shown;
+        ShownBall shown;
         const Track<Vec3> aside{Interpolation::Linear, {0, 2}, {Vec3::Zero(), {0.12, 0, 0}}, {}, {}};
         shown.scene.objects[0].motion = std::make_shared<const Motion>(makeMotion(aside, {}, 2));
         shown.view.setScene(shown.scene);
@@ -405,12 +296,12 @@ private slots:
     }
 
     void draggingTheFingerMovesItInTheCamerasPlane() {
-        Shown shown;
+        ShownBall shown;
         const Vec3 start(0, 0, 0.09);
         shown.touch(start, start);
         QSignalSpy moved(&shown.view, &SceneView::handGoalMoved),
             grabbed(&shown.view, &SceneView::handGrabbed);
-        shown.drag(kCentre + QPoint(5, 5), kCentre + QPoint(65, -25));
+        shown.drag(kBallCentre + QPoint(5, 5), kBallCentre + QPoint(65, -25));
         QVERIFY(!moved.isEmpty());
         const Vec3 goal = goals(moved).back();
         QCOMPARE(shown.view.handGoal().x(), goal.x());
@@ -421,28 +312,28 @@ private slots:
     }
 
     void wheelAndControlDragMoveTheHeldFingerInDepth() {
-        Shown shown;
+        ShownBall shown;
         const Vec3 start(0, 0, 0.09);
         shown.touch(start, start);
-        QTest::mousePress(&shown.view, Qt::LeftButton, {}, kCentre);
-        shown.wheel(kCentre, 3);
+        QTest::mousePress(&shown.view, Qt::LeftButton, {}, kBallCentre);
+        shown.wheel(kBallCentre, 3);
         const double notch = 0.005 * boundsOf(shown.scene).diagonal();
         COMPARE_NEAR(shown.view.handGoal(), Vec3(0, 0, 0.09 - 3 * notch), 1e-9, "m");
         const Vec3 before = shown.view.handGoal();
-        shown.move(kCentre - QPoint(0, 20), Qt::LeftButton, Qt::ControlModifier);
+        shown.move(kBallCentre - QPoint(0, 20), Qt::LeftButton, Qt::ControlModifier);
         const double pixel = shown.camera().pixelSize(before);
         QCOMPARE_LT((shown.view.handGoal() - before + 20 * pixel * Vec3::UnitZ()).norm(), 1e-9);
-        QTest::mouseRelease(&shown.view, Qt::LeftButton, {}, kCentre);
+        QTest::mouseRelease(&shown.view, Qt::LeftButton, {}, kBallCentre);
     }
 
     void aPressOnTheModelTouchesItAndADragStrokesIt() {
-        Shown shown;
+        ShownBall shown;
         const double depth = HandTool::kPressDepth * boundsOf(shown.scene).diagonal();
         shown.touch({0.09, 0.05, 0.1}, {0.09, 0.05, 0.1});
-        QTest::mousePress(&shown.view, Qt::LeftButton, {}, kCentre);
+        QTest::mousePress(&shown.view, Qt::LeftButton, {}, kBallCentre);
         shown.waitForHand();
         COMPARE_NEAR(shown.view.handGoal(), Vec3(0, 0, kBallRadius - depth), 1e-4, "m");
-        shown.move(kCentre + QPoint(60, 0), Qt::LeftButton);
+        shown.move(kBallCentre + QPoint(60, 0), Qt::LeftButton);
         const Vec3 goal = shown.view.handGoal();
         QCOMPARE_GT(goal.x(), 0.01);
         QCOMPARE_LT(goal.norm(), kBallRadius);
@@ -450,15 +341,15 @@ private slots:
         const auto seen = shown.camera().project(goal);
         COMPARE_NEAR(seen->x(), 380, 1, "pixels");
         COMPARE_NEAR(seen->y(), 240, 1, "pixels");
-        QTest::mouseRelease(&shown.view, Qt::LeftButton, {}, kCentre + QPoint(60, 0));
+        QTest::mouseRelease(&shown.view, Qt::LeftButton, {}, kBallCentre + QPoint(60, 0));
         QCOMPARE_GT(shown.view.handGoal().norm(), kBallRadius); // it lifts off
     }
 
     void aFingerBehindTheModelComesAroundIt() {
-        Shown shown;
+        ShownBall shown;
         shown.touch({0, 0, -0.08}, {0, 0, -0.08});
         QSignalSpy moved(&shown.view, &SceneView::handGoalMoved);
-        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre + QPoint(0, 40));
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kBallCentre + QPoint(0, 40));
         shown.waitForHand();
         QCOMPARE_GT(shown.view.handGoal().z(), 0.03);
         QCOMPARE_GT(shown.view.handGoal().norm(), kBallRadius); // it was a tap
@@ -471,28 +362,28 @@ private slots:
     }
 
     void gLetsTheFingerFollowUntilAClickOrEsc() {
-        Shown shown;
+        ShownBall shown;
         shown.touch({0, 0, 0.09}, {0, 0, 0.09});
         QSignalSpy grabbed(&shown.view, &SceneView::handGrabbed);
-        QTest::mouseMove(&shown.view, kCentre);
+        QTest::mouseMove(&shown.view, kBallCentre);
         QTest::keyClick(&shown.view, Qt::Key_G);
-        shown.move(kCentre, Qt::NoButton);
+        shown.move(kBallCentre, Qt::NoButton);
         const Vec3 before = shown.view.handGoal();
-        shown.move(kCentre + QPoint(40, 0), Qt::NoButton);
+        shown.move(kBallCentre + QPoint(40, 0), Qt::NoButton);
         const double pixel = shown.camera().pixelSize(before);
         COMPARE_NEAR(shown.view.handGoal() - before, 40 * pixel * Vec3::UnitX(), 1e-9, "m");
         QTest::keyClick(&shown.view, Qt::Key_Escape);
-        shown.move(kCentre, Qt::NoButton);
+        shown.move(kBallCentre, Qt::NoButton);
         COMPARE_NEAR(shown.view.handGoal() - before, 40 * pixel * Vec3::UnitX(), 1e-9, "m");
         QCOMPARE(grabbed.size(), 2);
         QTest::keyClick(&shown.view, Qt::Key_G);
-        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre);
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kBallCentre);
         QCOMPARE(grabbed.size(), 4);
         QVERIFY(!grabbed.last()[0].toBool());
     }
 
     void arrowKeysNudgeTheFinger() {
-        Shown shown;
+        ShownBall shown;
         shown.touch({0, 0, 0.09}, {0, 0, 0.09});
         QTest::keyClick(&shown.view, Qt::Key_Right);
         QTest::keyClick(&shown.view, Qt::Key_PageUp);
@@ -501,38 +392,38 @@ private slots:
     }
 
     void theSelectToolLeavesTheFingerAlone() {
-        Shown shown;
+        ShownBall shown;
         shown.view.setTool(ViewTool::Select);
         shown.touch({0, 0, 0.09}, {0, 0, 0.09});
-        shown.drag(kCentre, kCentre + QPoint(80, 0));
+        shown.drag(kBallCentre, kBallCentre + QPoint(80, 0));
         COMPARE_NEAR(shown.view.handGoal(), Vec3(0, 0, 0.09), 1e-12, "m");
     }
 
     void wheelZoomsToTheCursorAndHomeFits() {
-        Shown shown;
+        ShownBall shown;
         const QPoint edge = shown.pixelOf({0, kBallRadius, 0}) - QPoint(0, 14);
         const QColor sky = shown.colourAt(edge);
-        shown.wheel(kCentre, 4);
+        shown.wheel(kBallCentre, 4);
         QCOMPARE_GT(difference(shown.colourAt(edge), sky), 60); // the ball has grown over it
         QTest::keyClick(&shown.view, Qt::Key_Home);
         QCOMPARE_LT(difference(shown.colourAt(edge), sky), 3);
     }
 
     void orbitAndPanTurnAndMoveThePicture() {
-        Shown shown;
+        ShownBall shown;
         shown.scene.objects[0].surfaces[kUpper].colour = {0.6f, 0.05f, 0.05f};
         shown.view.setScene(shown.scene);
-        const QPoint low = kCentre + QPoint(0, 50);
+        const QPoint low = kBallCentre + QPoint(0, 50);
         QCOMPARE_LT(shown.colourAt(low).red(), 1.3 * shown.colourAt(low).green());
-        shown.drag(kCentre, kCentre + QPoint(0, 150), Qt::MiddleButton); // look from above
+        shown.drag(kBallCentre, kBallCentre + QPoint(0, 150), Qt::MiddleButton); // look from above
         QCOMPARE_GT(shown.colourAt(low).red(), 2 * shown.colourAt(low).green());
         shown.view.showStandardView(StandardView::Front);
-        shown.drag(kCentre, kCentre + QPoint(0, 120), Qt::MiddleButton, Qt::ShiftModifier);
+        shown.drag(kBallCentre, kBallCentre + QPoint(0, 120), Qt::MiddleButton, Qt::ShiftModifier);
         QCOMPARE_GT(shown.colourAt(low).red(), 2 * shown.colourAt(low).green());
     }
 
     void theProxyIsShownAndCanBeHidden() {
-        Shown shown;
+        ShownBall shown;
         const Vec3 proxy(0, 0.02, 0.06);
         const QPoint pixel = shown.pixelOf(proxy);
         const QColor without = shown.colourAt(pixel);
@@ -545,7 +436,7 @@ private slots:
     }
 
     void whatCannotBeSeenIsNotDrawnAgain() {
-        Shown shown;
+        ShownBall shown;
         const Vec3 finger(0, 0, 0.045), proxy(0, 0, 0.051), force(0, 0, 4);
         const Vec3 little = 0.04 * shown.camera().pixelSize(proxy) * Vec3::UnitX();
         shown.touch(finger, proxy, force);
@@ -564,7 +455,7 @@ private slots:
     }
 
     void aFingerInsideTheModelIsSeenThroughIt() {
-        Shown shown;
+        ShownBall shown;
         const QPoint pixel = shown.pixelOf({0.01, 0.01, 0.03});
         const QColor without = shown.colourAt(pixel);
         shown.touch({0.01, 0.01, 0.03}, {0.03, 0.04, 0.05});
@@ -574,7 +465,7 @@ private slots:
     }
 
     void theForceIsWrittenBesideItsArrow() {
-        Shown shown;
+        ShownBall shown;
         shown.touch({0, 0, 0.045}, {0, 0, 0.051}, {1.5, 0, 0});
         const QImage with = shown.view.grabPicture();
         shown.touch({0, 0, 0.045}, {0, 0, 0.051}, {0, 0, 0});
@@ -610,7 +501,7 @@ private slots:
     }
 
     void followsItsSize() {
-        Shown shown;
+        ShownBall shown;
         shown.view.resize(300, 500);
         QTest::qWait(50);
         const QImage picture = shown.view.grabPicture();
@@ -632,26 +523,26 @@ private slots:
         window->show();
         QVERIFY(QTest::qWaitForWindowExposed(window.get()));
         window.reset();
-        auto shown = std::make_unique<Shown>();
+        auto shown = std::make_unique<ShownBall>();
         shown->touch({0, 0, 0.045}, {0, 0, 0.051}, {0, 0, 1});
         shown->view.grabPicture();
         shown.reset();
     }
 
     void anEmptySceneIsShown() {
-        Shown shown;
+        ShownBall shown;
         shown.view.setScene(Scene{});
         shown.view.fit();
-        QCOMPARE_LT(difference(shown.colourAt(kCentre), shown.colourAt({12, 240})), 12);
-        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre);
+        QCOMPARE_LT(difference(shown.colourAt(kBallCentre), shown.colourAt({12, 240})), 12);
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kBallCentre);
     }
 
     void largeModelsGetTheirNormalsLater() {
-        Shown shown;
+        ShownBall shown;
         shown.view.setScene(ballScene(300, 150)); // 90 000 triangles
-        QCOMPARE_GT(difference(shown.colourAt(kCentre), shown.colourAt({12, 240})), 120);
+        QCOMPARE_GT(difference(shown.colourAt(kBallCentre), shown.colourAt({12, 240})), 120);
         QTest::qWait(600);
-        QCOMPARE_GT(difference(shown.colourAt(kCentre), shown.colourAt({12, 240})), 120);
+        QCOMPARE_GT(difference(shown.colourAt(kBallCentre), shown.colourAt({12, 240})), 120);
     }
 };
 
