@@ -6,7 +6,10 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <memory>
+#include <new>
 #include <type_traits>
 #include <vector>
 
@@ -29,15 +32,23 @@ template <class Row> class RecordRing {
     static_assert(std::is_trivially_copyable_v<Row> && sizeof(Row) % sizeof(std::uint64_t) == 0);
 
 public:
-    /// Touches all of its memory, so that the writer meets no page fault. Thread: any but real time.
-    explicit RecordRing(std::size_t capacity) : capacity_(capacity), words_(capacity * kWords, 0) {}
+    /// Thread: any but real time.
+    explicit RecordRing(std::size_t capacity)
+        : capacity_(capacity),
+          words_(static_cast<std::uint64_t*>(std::calloc(capacity * kWords, sizeof(std::uint64_t)))) {
+        if (!words_) throw std::bad_alloc();
+    }
+
+    /// All of its memory, so that the writer meets no page fault. Thread: any but real time, before the first
+    /// push().
+    void touch() noexcept { std::memset(words_.get(), 0, bytes()); }
 
     /// Thread: real time, one writer; wait-free.
     void push(const Row& row) noexcept {
         begun_.store(count_ + 1, std::memory_order_relaxed);
         Words words;
         std::memcpy(words.data(), &row, sizeof row);
-        std::uint64_t* slot = words_.data() + slot_ * kWords;
+        std::uint64_t* slot = words_.get() + slot_ * kWords;
         // Released one by one: who sees a new word sees, too, that this row was begun.
         for (std::size_t i = 0; i < kWords; ++i)
             std::atomic_ref(slot[i]).store(words[i], std::memory_order_release);
@@ -63,14 +74,14 @@ public:
         return copied;
     }
 
-    std::size_t bytes() const { return words_.size() * sizeof(std::uint64_t); }
+    std::size_t bytes() const noexcept { return capacity_ * kWords * sizeof(std::uint64_t); }
 
 private:
     static constexpr std::size_t kWords = sizeof(Row) / sizeof(std::uint64_t);
     using Words = std::array<std::uint64_t, kWords>;
 
     Row load(std::uint64_t number) const {
-        std::uint64_t* slot = words_.data() + std::size_t(number % capacity_) * kWords;
+        std::uint64_t* slot = words_.get() + std::size_t(number % capacity_) * kWords;
         Words words;
         for (std::size_t i = 0; i < kWords; ++i)
             words[i] = std::atomic_ref(slot[i]).load(std::memory_order_acquire);
@@ -80,8 +91,12 @@ private:
     }
 
     std::size_t capacity_;
-    mutable std::vector<std::uint64_t> words_; ///< mutable: std::atomic_ref knows no const
-    std::size_t slot_ = 0;                     ///< the writer's own, as is count_
+    /// From calloc, which takes no page of the machine before something is written to it.
+    struct Free {
+        void operator()(std::uint64_t* words) const noexcept { std::free(words); }
+    };
+    std::unique_ptr<std::uint64_t[], Free> words_;
+    std::size_t slot_ = 0; ///< the writer's own, as is count_
     std::uint64_t count_ = 0;
     alignas(64) std::atomic<std::uint64_t> begun_{0};
     std::atomic<std::uint64_t> written_{0};

@@ -216,6 +216,8 @@ Result<void> LocalEngine::start() {
     // Before the loops have their memory: of what a fork shares every page is given anew when it is written.
     const Result<void> guarded = impl_->startWatchdogs();
     impl_->freshChannels();
+    for (std::size_t i = 0; i < impl_->channels->hands(); ++i)
+        impl_->channels->hand(i).recorder.touch();
     impl_->handOver();
     if (Result<void> started = guarded.and_then([this] { return impl_->startLoops(); }); !started) {
         if (!impl_->endLoops()) abandon();

@@ -20,6 +20,13 @@ Recorder::Recorder(double servoRate, double proxyRate, std::int64_t start)
     : start_(start), proxyRows_(rowsFor(proxyRate)), servoRows_(rowsFor(servoRate)), proxyStates_(kStates),
       servoStates_(kStates) {}
 
+void Recorder::touch() noexcept {
+    proxyRows_.touch();
+    servoRows_.touch();
+    proxyStates_.touch();
+    servoStates_.touch();
+}
+
 double Recorder::now() const noexcept {
     return 1e-9 * double(monotonicNanoseconds() - start_);
 }

@@ -1,7 +1,7 @@
 // The flight recorder: the last minute of both loops, always on.
 //
 // Each loop writes a row for each of its steps and, once a second, the state that it had before one. A minute
-// takes 30 MB at 1 kHz and 116 MB at 4 kHz; all of it is touched before the loops start.
+// takes 30 MB at 1 kHz and 116 MB at 4 kHz; all of it is touched before the loops start, and none before.
 #pragma once
 
 #include "core/base/clock.h"
@@ -16,6 +16,9 @@ public:
     /// Rates in Hz. `start`: ns of monotonicNanoseconds(), the time 0 of its rows; that of all hands in one
     /// World is the same. Thread: any but real time.
     Recorder(double servoRate, double proxyRate, std::int64_t start = monotonicNanoseconds());
+
+    /// All memory that the loops will write to. Thread: any but real time, before they start.
+    void touch() noexcept;
 
     /// s since the recorder was made. Thread: real time.
     double now() const noexcept;

@@ -7,6 +7,7 @@
 #include <QFontDatabase>
 #include <QPainter>
 #include <QPalette>
+#include <QPixmapCache>
 #include <QStyle>
 #include <QStyleFactory>
 #include <QSvgRenderer>
@@ -77,24 +78,30 @@ QFont applicationFont() {
     return font;
 }
 
-QPixmap drawn(const QByteArray& svg, const QColor& colour, int size) {
-    QByteArray tinted = svg;
-    if (colour.isValid()) tinted.replace("#000000", colour.name().toUtf8());
-    QSvgRenderer renderer(tinted);
+QByteArray source(const QString& name) {
+    initIcons();
+    QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// Drawn once: every field with a number shows the same few, and asks again whenever a palette changes.
+QPixmap drawn(const QString& name, const QColor& colour, int size) {
     const qreal ratio = qApp->devicePixelRatio();
-    QPixmap pixmap(QSize(size, size) * ratio);
+    const QString tint = colour.isValid() ? colour.name() : QString();
+    const QString key = QStringLiteral("icon %1 %2 %3 %4").arg(name, tint).arg(size).arg(ratio);
+    QPixmap pixmap;
+    if (QPixmapCache::find(key, &pixmap)) return pixmap;
+    QByteArray tinted = source(name);
+    if (colour.isValid()) tinted.replace("#000000", tint.toUtf8());
+    QSvgRenderer renderer(tinted);
+    pixmap = QPixmap(QSize(size, size) * ratio);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     renderer.render(&painter);
     painter.end();
     pixmap.setDevicePixelRatio(ratio);
+    QPixmapCache::insert(key, pixmap);
     return pixmap;
-}
-
-QByteArray source(const QString& name) {
-    initIcons();
-    QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 } // namespace
@@ -120,26 +127,24 @@ const Theme& theme() {
 }
 
 QIcon icon(const QString& name) {
-    const QByteArray svg = source(name);
     QIcon result;
     for (int size : {16, 24}) {
-        result.addPixmap(drawn(svg, theme().text, size), QIcon::Normal, QIcon::Off);
-        result.addPixmap(drawn(svg, theme().accent, size), QIcon::Normal, QIcon::On);
-        result.addPixmap(drawn(svg, theme().textDimmed, size), QIcon::Disabled);
+        result.addPixmap(drawn(name, theme().text, size), QIcon::Normal, QIcon::Off);
+        result.addPixmap(drawn(name, theme().accent, size), QIcon::Normal, QIcon::On);
+        result.addPixmap(drawn(name, theme().textDimmed, size), QIcon::Disabled);
     }
     return result;
 }
 
 QIcon icon(const QString& name, const QColor& colour) {
-    const QByteArray svg = source(name);
     QIcon result;
     for (int size : {16, 24})
-        result.addPixmap(drawn(svg, colour, size));
+        result.addPixmap(drawn(name, colour, size));
     return result;
 }
 
 QPixmap logo(int size) {
-    return drawn(source(QStringLiteral("tactum")), QColor(), size);
+    return drawn(QStringLiteral("tactum"), QColor(), size);
 }
 
 void repolish(QWidget& widget) {

@@ -1,6 +1,9 @@
 // The last rows of a loop: which are kept, under which numbers, also while the writer goes on.
 #include <atomic>
+#include <optional>
 #include <thread>
+
+#include <sys/resource.h>
 
 #include <QTest>
 
@@ -44,6 +47,28 @@ private slots:
                 ring.push(Row::of(written));
             }
         }
+    }
+
+    /// A page of the machine's memory is taken when it is written to: none for a ring that nobody touches,
+    /// all of one before its writer begins.
+    void noMemoryIsTakenBeforeItIsTouched() {
+        const auto faults = [](auto&& work) {
+            rusage before{}, after{};
+            getrusage(RUSAGE_THREAD, &before);
+            work();
+            getrusage(RUSAGE_THREAD, &after);
+            return after.ru_minflt - before.ru_minflt;
+        };
+        constexpr std::size_t kRows = std::size_t(64) << 20 >> 5; // 48 MiB: pages of 2 MiB are 24 faults
+        std::optional<RecordRing<Row>> ring;
+        QCOMPARE_LT(faults([&] { ring.emplace(kRows); }), 4);
+        QCOMPARE_GE(faults([&] { ring->touch(); }), 20);
+        QCOMPARE_LT(faults([&] {
+                        for (std::uint64_t n = 0; n < kRows; ++n)
+                            ring->push(Row::of(n));
+                    }),
+                    4);
+        QVERIFY(ring->copy(1).rows[0].isOf(kRows - 1));
     }
 
     /// A reader that is overtaken has fewer rows, and none that is torn or under another's number.

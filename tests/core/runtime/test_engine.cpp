@@ -305,6 +305,7 @@ private slots:
         TouchedPlate plate(500);
         QVERIFY(plate.touch(kDepth));
         plate.engine.setDeadMan(true);
+        QVERIFY(eventually([&] { return plate.engine.recorded().servo.rows.size() > 10; }));
         const std::shared_ptr<Probe> hung = plate.probe;
         hung->hangs = true;
         QVERIFY(eventually([&] { return hung->hanging.load(); }));

@@ -77,7 +77,7 @@ struct Touch {
     bool pushes(const Vec3& goal) {
         engine->poll();
         const InhibitReason why = engine->servo().inhibit;
-        const bool faulty = why == InhibitReason::DeviceLost;
+        const bool faulty = isFault(why);
         const bool fellThrough = goal.z() < 0 && engine->servo().gain == 1 && bench.device->gripArrived() &&
                                  engine->proxy().output.contacts == 0;
         if (!faulty && !fellThrough) return engine->servo().gain == 1;
@@ -106,7 +106,7 @@ struct Touch {
         constexpr int kSettle = 400, kMean = 200;
         Rest rest;
         int full = 0;
-        eventually([&] {
+        const bool found = eventually([&] {
             full = pushes(goal) && bench.device->gripArrived() ? full + 1 : 0;
             if (full == 0) rest = {};
             if (full > kSettle) {
@@ -115,6 +115,10 @@ struct Touch {
             }
             return rest.found = full == kSettle + kMean;
         });
+        if (!found)
+            qWarning("no rest: InhibitReason %d, %d contacts, the grip %s", int(engine->servo().inhibit),
+                     engine->proxy().output.contacts,
+                     bench.device->gripArrived() ? "is there" : "is on its way");
         return rest;
     }
 
