@@ -632,8 +632,8 @@
             <translation>A&amp;m Kontakt</translation>
         </message>
         <message>
-            <source>&amp;Back sides in line</source>
-            <translation>&amp;Hintere Seiten auf eine Linie</translation>
+            <source>Align &amp;back sides</source>
+            <translation>&amp;Hintere Seiten ausrichten</translation>
         </message>
         <message>
             <source>&amp;Back to the scene</source>
@@ -724,8 +724,8 @@
             <translation>&amp;Jedes um seine Mitte</translation>
         </message>
         <message>
-            <source>&amp;Even distances along x</source>
-            <translation>&amp;Gleiche Abstände entlang x</translation>
+            <source>&amp;Distribute along x</source>
+            <translation>&amp;Gleichmäßig entlang x verteilen</translation>
         </message>
         <message>
             <source>&amp;Export a bundle...</source>
@@ -760,8 +760,8 @@
             <translation>&amp;Alles zeigen</translation>
         </message>
         <message>
-            <source>&amp;Front sides in line</source>
-            <translation>&amp;Vordere Seiten auf eine Linie</translation>
+            <source>Align &amp;front sides</source>
+            <translation>&amp;Vordere Seiten ausrichten</translation>
         </message>
         <message>
             <source>&amp;Gamepad</source>
@@ -840,8 +840,8 @@
             <translation>La&amp;sso</translation>
         </message>
         <message>
-            <source>&amp;Left sides in line</source>
-            <translation>&amp;Linke Seiten auf eine Linie</translation>
+            <source>Align &amp;left sides</source>
+            <translation>&amp;Linke Seiten ausrichten</translation>
         </message>
         <message>
             <source>&amp;Light</source>
@@ -988,8 +988,8 @@
             <translation>&amp;Umbenennen</translation>
         </message>
         <message>
-            <source>&amp;Right sides in line</source>
-            <translation>&amp;Rechte Seiten auf eine Linie</translation>
+            <source>Align &amp;right sides</source>
+            <translation>&amp;Rechte Seiten ausrichten</translation>
         </message>
         <message>
             <source>&amp;Run</source>
@@ -2084,8 +2084,8 @@
             <translation>%1 zurückholen</translation>
         </message>
         <message>
-            <source>Bring into line</source>
-            <translation>Auf eine Linie bringen</translation>
+            <source>Align</source>
+            <translation>Ausrichten</translation>
         </message>
         <message>
             <source>Bring it back</source>
@@ -2680,16 +2680,16 @@
             <translation>Fehler</translation>
         </message>
         <message>
-            <source>Even d&amp;istances along z</source>
-            <translation>Gleiche Abs&amp;tände entlang z</translation>
+            <source>Dis&amp;tribute along z</source>
+            <translation>Gleichmäßig entlang z ver&amp;teilen</translation>
         </message>
         <message>
-            <source>Even distances</source>
-            <translation>Gleiche Abstände</translation>
+            <source>Distribute</source>
+            <translation>Verteilen</translation>
         </message>
         <message>
-            <source>Even distances &amp;along y</source>
-            <translation>Gleiche &amp;Abstände entlang y</translation>
+            <source>D&amp;istribute along y</source>
+            <translation>Gleichmäßig &amp;entlang y verteilen</translation>
         </message>
         <message>
             <source>Every command by a few letters of it</source>
@@ -3651,8 +3651,8 @@
             <translation>Art</translation>
         </message>
         <message>
-            <source>L&amp;ower sides in line</source>
-            <translation>U&amp;ntere Seiten auf eine Linie</translation>
+            <source>Align l&amp;ower sides</source>
+            <translation>U&amp;ntere Seiten ausrichten</translation>
         </message>
         <message>
             <source>Language</source>
@@ -4055,16 +4055,16 @@
             <translation>Mitte dreht, Umschalt+Mitte verschiebt</translation>
         </message>
         <message>
-            <source>Middles in line along &amp;x</source>
-            <translation>Mitten entlang &amp;x auf eine Linie</translation>
+            <source>Align middles along &amp;x</source>
+            <translation>Mitten entlang &amp;x ausrichten</translation>
         </message>
         <message>
-            <source>Middles in line along &amp;y</source>
-            <translation>Mitten entlang &amp;y auf eine Linie</translation>
+            <source>Align middles along &amp;y</source>
+            <translation>Mitten entlang &amp;y ausrichten</translation>
         </message>
         <message>
-            <source>Middles in line along &amp;z</source>
-            <translation>Mitten entlang &amp;z auf eine Linie</translation>
+            <source>Align middles along &amp;z</source>
+            <translation>Mitten entlang &amp;z ausrichten</translation>
         </message>
         <message>
             <source>Millimetres</source>
@@ -4703,8 +4703,8 @@
             <translation>Reihenfolge</translation>
         </message>
         <message>
-            <source>Order and &amp;lines</source>
-            <translation>Reihenfol&amp;ge und Linien</translation>
+            <source>Ali&amp;gn and distribute</source>
+            <translation>Ausrichten und verteilen</translation>
         </message>
         <message>
             <source>Origin</source>
@@ -5573,8 +5573,8 @@ der Grenze rendern</translation>
             <translation>Drei oder mehr Objekte auswählen, die sich einzeln bewegen.</translation>
         </message>
         <message>
-            <source>Select two or more objects; they come into line with the one selected last.</source>
-            <translation>Zwei oder mehr Objekte auswählen; sie kommen mit dem zuletzt ausgewählten auf eine Linie.</translation>
+            <source>Select two or more objects; they are aligned with the one selected last.</source>
+            <translation>Zwei oder mehr Objekte auswählen; sie werden am zuletzt ausgewählten ausgerichtet.</translation>
         </message>
         <message>
             <source>Select two or more surfaces of one object that are not locked, and merge them then.</source>
@@ -6956,8 +6956,8 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Sie gehen sonst verloren.</translation>
         </message>
         <message>
-            <source>They are so already.</source>
-            <translation>Das sind sie schon.</translation>
+            <source>They are aligned already.</source>
+            <translation>Sie sind schon ausgerichtet.</translation>
         </message>
         <message>
             <source>They feel as before</source>
@@ -7192,8 +7192,8 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Bitte schreiben Sie und drücken Sie dann Eingabe.</translation>
         </message>
         <message>
-            <source>U&amp;pper sides in line</source>
-            <translation>Ob&amp;ere Seiten auf eine Linie</translation>
+            <source>Align u&amp;pper sides</source>
+            <translation>Ob&amp;ere Seiten ausrichten</translation>
         </message>
         <message>
             <source>UV, in metres</source>

@@ -213,11 +213,10 @@ void ArrangeTool::alignWithActive(int axis, BoxSide side) {
     // It stays, with all that goes along with it.
     std::erase_if(moved, [&](const Group& group) { return group.along.has(last->id); });
     if (moved.empty())
-        return emit refused(
-            tr("Select two or more objects; they come into line with the one selected last."));
+        return emit refused(tr("Select two or more objects; they are aligned with the one selected last."));
     Scene next = document_.scene();
     align(next, partsOf(moved), tactum::boundsOf(*last), axis, side);
-    putInLine(tr("Bring into line"), moved, std::move(next));
+    putInLine(tr("Align"), moved, std::move(next));
 }
 
 void ArrangeTool::distributeEvenly(int axis) {
@@ -225,11 +224,11 @@ void ArrangeTool::distributeEvenly(int axis) {
     if (moved.size() < 3) return emit refused(tr("Select three or more objects that move on their own."));
     Scene next = document_.scene();
     distribute(next, partsOf(moved), axis);
-    putInLine(tr("Even distances"), moved, std::move(next));
+    putInLine(tr("Distribute"), moved, std::move(next));
 }
 
 void ArrangeTool::putInLine(const QString& text, const std::vector<Group>& moved, Scene next) {
-    if (next == document_.scene()) return emit refused(tr("They are so already."));
+    if (next == document_.scene()) return emit refused(tr("They are aligned already."));
     if (std::ranges::any_of(moved, [](const Group& group) { return !group.along.bodies.empty(); }))
         emit begun();
     put(text, std::move(next), newGesture());

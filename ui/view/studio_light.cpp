@@ -43,10 +43,13 @@ constexpr const char* kLight = R"(
 #endif
     const vec3 toFill = vec3(0.83, 0.12, 0.54);
     float key = max(0.0, (dot(n, toKey) + 0.15) / 1.15);
+    const vec3 toLow = vec3(0.5, -0.62, 0.6);
     float fill = max(0.0, (dot(n, toFill) + 0.3) / 1.3);
+    float low = max(0.0, (dot(n, toLow) + 0.2) / 1.2);
     float facing = clamp(dot(n, toEye), 0.0, 1.0);
     vec3 light = open * mix(vec3(0.16, 0.15, 0.14), vec3(0.2, 0.22, 0.25), 0.5 + 0.5 * n.y)
-               + mix(0.25, 1.0, open) * (0.72 * key * vec3(1.0, 0.965, 0.91) + 0.14 * fill * vec3(0.78, 0.88, 1.0));
+               + mix(0.25, 1.0, open) * (0.72 * key * vec3(1.0, 0.965, 0.91) + 0.14 * fill * vec3(0.78, 0.88, 1.0)
+                                        + 0.16 * low * vec3(1.0, 0.97, 0.93));
     float gloss = clamp(specularColor.x, 0.0, 1.0);
     float sharp = pow(max(0.0, dot(n, normalize(toKey + toEye))), mix(6.0, 70.0, gloss));
     vec3 mirrored = 2.0 * dot(n, toEye) * n - toEye;

@@ -557,7 +557,7 @@ private slots:
         COMPARE_NEAR(box("b").high.z(), last.high.z(), 1e-9, "m");
         QCOMPARE(desk.document.history().count(), steps + 1);
         desk.program.command("align-z-high").trigger();
-        COMPARE_CONTAINS(desk.notice.text(), QStringLiteral("They are so already."));
+        COMPARE_CONTAINS(desk.notice.text(), QStringLiteral("They are aligned already."));
         desk.program.command("distribute-x").trigger();
         std::vector<double> middles{box("a").centre().x(), box("b").centre().x(), box("c").centre().x()};
         std::ranges::sort(middles);
