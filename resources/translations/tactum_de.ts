@@ -632,10 +632,6 @@
             <translation>A&amp;m Kontakt</translation>
         </message>
         <message>
-            <source>Align &amp;back sides</source>
-            <translation>&amp;Hintere Seiten ausrichten</translation>
-        </message>
-        <message>
             <source>&amp;Back to the scene</source>
             <translation>&amp;Zurück zur Szene</translation>
         </message>
@@ -708,6 +704,10 @@
             <translation>&amp;Geräte</translation>
         </message>
         <message>
+            <source>&amp;Distribute along x</source>
+            <translation>&amp;Gleichmäßig entlang x verteilen</translation>
+        </message>
+        <message>
             <source>&amp;Down in the list</source>
             <translation>In der Liste nach &amp;unten</translation>
         </message>
@@ -722,10 +722,6 @@
         <message>
             <source>&amp;Each about its own</source>
             <translation>&amp;Jedes um seine Mitte</translation>
-        </message>
-        <message>
-            <source>&amp;Distribute along x</source>
-            <translation>&amp;Gleichmäßig entlang x verteilen</translation>
         </message>
         <message>
             <source>&amp;Export a bundle...</source>
@@ -758,10 +754,6 @@
         <message>
             <source>&amp;Frame all</source>
             <translation>&amp;Alles zeigen</translation>
-        </message>
-        <message>
-            <source>Align &amp;front sides</source>
-            <translation>&amp;Vordere Seiten ausrichten</translation>
         </message>
         <message>
             <source>&amp;Gamepad</source>
@@ -838,10 +830,6 @@
         <message>
             <source>&amp;Lasso</source>
             <translation>La&amp;sso</translation>
-        </message>
-        <message>
-            <source>Align &amp;left sides</source>
-            <translation>&amp;Linke Seiten ausrichten</translation>
         </message>
         <message>
             <source>&amp;Light</source>
@@ -986,10 +974,6 @@
         <message>
             <source>&amp;Rename</source>
             <translation>&amp;Umbenennen</translation>
-        </message>
-        <message>
-            <source>Align &amp;right sides</source>
-            <translation>&amp;Rechte Seiten ausrichten</translation>
         </message>
         <message>
             <source>&amp;Run</source>
@@ -1612,6 +1596,10 @@
             <translation>&amp;Hinzufügen</translation>
         </message>
         <message>
+            <source>A&amp;lign and distribute</source>
+            <translation>Ausri&amp;chten und verteilen</translation>
+        </message>
+        <message>
             <source>A&amp;xes of the handles</source>
             <translation>A&amp;chsen der Anfasser</translation>
         </message>
@@ -1738,6 +1726,46 @@
         <message>
             <source>Air</source>
             <translation>Luft</translation>
+        </message>
+        <message>
+            <source>Align</source>
+            <translation>Ausrichten</translation>
+        </message>
+        <message>
+            <source>Align &amp;back sides</source>
+            <translation>&amp;Hintere Seiten ausrichten</translation>
+        </message>
+        <message>
+            <source>Align &amp;front sides</source>
+            <translation>&amp;Vordere Seiten ausrichten</translation>
+        </message>
+        <message>
+            <source>Align &amp;left sides</source>
+            <translation>&amp;Linke Seiten ausrichten</translation>
+        </message>
+        <message>
+            <source>Align &amp;right sides</source>
+            <translation>&amp;Rechte Seiten ausrichten</translation>
+        </message>
+        <message>
+            <source>Align l&amp;ower sides</source>
+            <translation>U&amp;ntere Seiten ausrichten</translation>
+        </message>
+        <message>
+            <source>Align middles along &amp;x</source>
+            <translation>Mitten entlang &amp;x ausrichten</translation>
+        </message>
+        <message>
+            <source>Align middles along &amp;y</source>
+            <translation>Mitten entlang &amp;y ausrichten</translation>
+        </message>
+        <message>
+            <source>Align middles along &amp;z</source>
+            <translation>Mitten entlang &amp;z ausrichten</translation>
+        </message>
+        <message>
+            <source>Align u&amp;pper sides</source>
+            <translation>Ob&amp;ere Seiten ausrichten</translation>
         </message>
         <message>
             <source>All keys on one page</source>
@@ -2084,10 +2112,6 @@
             <translation>%1 zurückholen</translation>
         </message>
         <message>
-            <source>Align</source>
-            <translation>Ausrichten</translation>
-        </message>
-        <message>
             <source>Bring it back</source>
             <translation>Zurückholen</translation>
         </message>
@@ -2416,6 +2440,10 @@
             <translation>T&amp;rennen</translation>
         </message>
         <message>
+            <source>D&amp;istribute along y</source>
+            <translation>Gleich&amp;mäßig entlang y verteilen</translation>
+        </message>
+        <message>
             <source>D&amp;uplicate layer</source>
             <translation>Ebene &amp;duplizieren</translation>
         </message>
@@ -2504,12 +2532,20 @@
             <translation>Differenz: %1</translation>
         </message>
         <message>
+            <source>Dis&amp;tribute along z</source>
+            <translation>Gleichmäßig entlang z ver&amp;teilen</translation>
+        </message>
+        <message>
             <source>Disconnect</source>
             <translation>Trennen</translation>
         </message>
         <message>
             <source>Distance %1</source>
             <translation>Abstand %1</translation>
+        </message>
+        <message>
+            <source>Distribute</source>
+            <translation>Verteilen</translation>
         </message>
         <message>
             <source>Do the last undone edit again</source>
@@ -2678,18 +2714,6 @@
         <message>
             <source>Error</source>
             <translation>Fehler</translation>
-        </message>
-        <message>
-            <source>Dis&amp;tribute along z</source>
-            <translation>Gleichmäßig entlang z ver&amp;teilen</translation>
-        </message>
-        <message>
-            <source>Distribute</source>
-            <translation>Verteilen</translation>
-        </message>
-        <message>
-            <source>D&amp;istribute along y</source>
-            <translation>Gleichmäßig &amp;entlang y verteilen</translation>
         </message>
         <message>
             <source>Every command by a few letters of it</source>
@@ -3651,10 +3675,6 @@
             <translation>Art</translation>
         </message>
         <message>
-            <source>Align l&amp;ower sides</source>
-            <translation>U&amp;ntere Seiten ausrichten</translation>
-        </message>
-        <message>
             <source>Language</source>
             <translation>Sprache</translation>
         </message>
@@ -4053,18 +4073,6 @@
         <message>
             <source>Middle turns, Shift+middle moves</source>
             <translation>Mitte dreht, Umschalt+Mitte verschiebt</translation>
-        </message>
-        <message>
-            <source>Align middles along &amp;x</source>
-            <translation>Mitten entlang &amp;x ausrichten</translation>
-        </message>
-        <message>
-            <source>Align middles along &amp;y</source>
-            <translation>Mitten entlang &amp;y ausrichten</translation>
-        </message>
-        <message>
-            <source>Align middles along &amp;z</source>
-            <translation>Mitten entlang &amp;z ausrichten</translation>
         </message>
         <message>
             <source>Millimetres</source>
@@ -4703,8 +4711,8 @@
             <translation>Reihenfolge</translation>
         </message>
         <message>
-            <source>Ali&amp;gn and distribute</source>
-            <translation>Ausrichten und verteilen</translation>
+            <source>Order &amp;in the list</source>
+            <translation>Reihenfol&amp;ge in der Liste</translation>
         </message>
         <message>
             <source>Origin</source>
@@ -6952,12 +6960,12 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Es gab eine Störung. Was dazu führte, wurde gespeichert: %1 öffnen, um es noch einmal zu sehen.</translation>
         </message>
         <message>
-            <source>They are lost otherwise.</source>
-            <translation>Sie gehen sonst verloren.</translation>
-        </message>
-        <message>
             <source>They are aligned already.</source>
             <translation>Sie sind schon ausgerichtet.</translation>
+        </message>
+        <message>
+            <source>They are lost otherwise.</source>
+            <translation>Sie gehen sonst verloren.</translation>
         </message>
         <message>
             <source>They feel as before</source>
@@ -7190,10 +7198,6 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Type, then Enter.</source>
             <translation>Bitte schreiben Sie und drücken Sie dann Eingabe.</translation>
-        </message>
-        <message>
-            <source>Align u&amp;pper sides</source>
-            <translation>Ob&amp;ere Seiten ausrichten</translation>
         </message>
         <message>
             <source>UV, in metres</source>
