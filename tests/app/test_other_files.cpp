@@ -159,6 +159,36 @@ private slots:
         }
     }
 
+    /// What is said of a pattern stands over its picture on the same page, as another reader finds both.
+    void noCaptionEndsAPageOfPaper() {
+        int captions = 0;
+        for (const char* name : {"layered-leather", "texture-wall"}) {
+            const QString scene =
+                QStringLiteral(TACTUM_ROOT "/resources/scenes/") + QLatin1String(name) + ".glb";
+            QCOMPARE(runTactum({"report", scene, "-o", file("c.pdf")}).code, 0);
+            QProcess reader;
+            reader.start("pdftohtml", {"-xml", "-q", file("c.pdf"), file("c.xml")});
+            if (!reader.waitForStarted())
+                QSKIP("pdftohtml is not installed: nobody else reads the PDF; apt install poppler-utils");
+            QVERIFY2(reader.waitForFinished(), "pdftohtml ends");
+            QFile pages(file("c.xml"));
+            QVERIFY2(pages.open(QIODevice::ReadOnly), qPrintable(pages.errorString()));
+            const QStringList all = QString::fromUtf8(pages.readAll()).split(QStringLiteral("<page "));
+            for (const QString& page : all) {
+                int lowest = -1;
+                for (auto i = QRegularExpression("<image top=\"(-?\\d+)\"").globalMatch(page); i.hasNext();)
+                    lowest = std::max(lowest, i.next().captured(1).toInt());
+                for (auto i = QRegularExpression("<text top=\"(\\d+)\"[^>]*>(Layer [^<]* mm across)<")
+                                  .globalMatch(page);
+                     i.hasNext(); ++captions) {
+                    const auto caption = i.next();
+                    QVERIFY2(caption.captured(1).toInt() < lowest, qPrintable(caption.captured(2)));
+                }
+            }
+        }
+        QCOMPARE_GT(captions, 10);
+    }
+
     /// A file manager's picture: square, of the size asked for, with the model in the middle of it.
     void aThumbnailShowsTheScene() {
         const QString teapot = QStringLiteral(TACTUM_ROOT "/resources/scenes/teapot.glb");

@@ -44,13 +44,16 @@ SaveController::SaveController(const Workbench& bench, const QStringList& sample
         bench_.notice.showError(sentence);
     });
     connect(&document, &Document::saved, this, &SaveController::goOnAfter);
-    connect(&document.history(), &QUndoStack::cleanChanged, this,
-            [this](bool clean) { bench_.window.setWindowModified(!clean); });
+    connect(&document.history(), &QUndoStack::cleanChanged, this, [this](bool clean) {
+        bench_.window.setWindowModified(!clean);
+        if (!clean) bench_.notice.takeBack(wasSaved_);
+    });
 }
 
 void SaveController::goOnAfter(const QString& file) {
     showFile();
-    bench_.notice.showNote(tr("The scene was saved to %1.").arg(file));
+    wasSaved_ = tr("The scene was saved to %1.").arg(file);
+    bench_.notice.showNote(wasSaved_);
     if (const auto goOn = std::exchange(afterSave_, nullptr)) goOn();
 }
 

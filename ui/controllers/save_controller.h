@@ -37,6 +37,7 @@ private:
     Workbench bench_;
     QStringList samples_;
     std::function<void()> afterSave_; ///< what the person wanted to do next
+    QString wasSaved_;                ///< as it was told; no longer true after an edit
 };
 
 } // namespace tactum

@@ -75,10 +75,10 @@ void ParameterField::layOut(QLabel* label) {
     grid->setColumnStretch(0, 1);
 }
 
-void ParameterField::setCompact() {
+void ParameterField::setCompact(int width) {
     compact_ = true;
     unitLabel_->setMinimumWidth(0);
-    box_->setFixedWidth(7 * kRhythm);
+    box_->setFixedWidth(width);
     QSizePolicy given = reset_->sizePolicy();
     given.setRetainSizeWhenHidden(false);
     reset_->setSizePolicy(given);

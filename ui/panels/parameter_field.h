@@ -8,6 +8,7 @@
 
 #include "core/surface/parameter.h"
 #include "ui/base/numbers.h"
+#include "ui/base/style.h"
 #include "ui/document/document.h"
 
 class QLabel;
@@ -29,7 +30,7 @@ public:
 
     /// For a row with little room: without the button back to the default, which a double click on the label
     /// does as well.
-    void setCompact();
+    void setCompact(int width = 7 * kRhythm);
     /// Shows a value in the parameter's own unit, without telling anybody.
     void setValue(double value);
     /// Whether the value is only the first of several.

@@ -100,7 +100,7 @@ PlacePanel::PlacePanel(Document& document, ArrangeTool& tool, QWidget* parent)
 ParameterField* PlacePanel::add(QWidget* rows, const Parameter& parameter,
                                 const std::function<void(double, Gesture)>& edited) {
     auto* field = new ParameterField(parameter);
-    field->setCompact();
+    field->setCompact(9 * kRhythm); // a metre in micrometres
     connect(field, &ParameterField::edited, this, [this, edited, &parameter](double value, Gesture gesture) {
         if (tool_.active()) edited(parameter.clamped(value), gesture);
         refresh(); // what was typed may have been brought into range

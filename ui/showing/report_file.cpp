@@ -70,15 +70,23 @@ void beginPage(QTextDocument& document, int block) {
     cursor.setBlockFormat(format);
 }
 
-/// The headings, by the numbers of their blocks, that begin a page because what they are over is on the next
-/// one. Where several follow each other the first of them does. `trial`: a copy that is laid out for it.
+/// A heading, or the words over a picture.
+bool isOverSomething(const QTextBlock& block) {
+    const QString picture(QChar::ObjectReplacementCharacter);
+    const bool isCaption = block.length() > 1 && block.text() != picture && block.next().text() == picture;
+    return isCaption || block.blockFormat().headingLevel() > 0;
+}
+
+/// The headings and captions, by the numbers of their blocks, that begin a page because what they are over is
+/// on the next one. Where several follow each other the first of them does. `trial`: a copy that is laid out
+/// for it.
 std::vector<int> headingsOnNewPages(QTextDocument& trial, QPagedPaintDevice& paper) {
     layOut(trial, paper);
     std::vector<int> begin;
     for (QTextBlock block = trial.begin(); block.isValid(); block = block.next()) {
-        if (block.blockFormat().headingLevel() == 0) continue;
+        if (!isOverSomething(block)) continue;
         QTextBlock below = block.next();
-        while (below.isValid() && (below.blockFormat().headingLevel() > 0 || below.length() <= 1))
+        while (below.isValid() && (isOverSomething(below) || below.length() <= 1))
             below = below.next(); // and what is empty
         if (!below.isValid() || pageOf(trial, below) == pageOf(trial, block)) continue;
         begin.push_back(block.blockNumber());

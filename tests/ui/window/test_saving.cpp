@@ -12,6 +12,7 @@
 #include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/base/ask_where.h"
+#include "ui/widgets/notice_bar.h"
 
 namespace test_saving {
 
@@ -70,8 +71,12 @@ private slots:
             QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, kPatience);
             QVERIFY(!program.window->isWindowModified());
             COMPARE_CONTAINS(program.window->windowTitle(), QStringLiteral("felt.glb"));
+            const auto* notice = program.window->findChild<NoticeBar*>();
+            COMPARE_CONTAINS(notice->text(), QStringLiteral("felt.glb"));
+            QVERIFY(notice->isVisible());
             QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
             QVERIFY(program.window->isWindowModified()); // not what is in the file
+            QVERIFY(!notice->isVisible());               // nor what it says
             QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
             QVERIFY(!program.window->isWindowModified());
             QVERIFY(program.window->close());
