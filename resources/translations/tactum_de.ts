@@ -320,6 +320,10 @@
             <translation>%1 Objekte</translation>
         </message>
         <message>
+            <source>%1 objects, the figures of %2</source>
+            <translation>%1 Objekte, die Werte von %2</translation>
+        </message>
+        <message>
             <source>%1 of %2</source>
             <translation>%1 von %2</translation>
         </message>

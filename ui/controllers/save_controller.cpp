@@ -44,6 +44,7 @@ SaveController::SaveController(const Workbench& bench, const QStringList& sample
         bench_.notice.showError(sentence);
     });
     connect(&document, &Document::saved, this, &SaveController::goOnAfter);
+    connect(&document, &Document::opened, this, [this] { bench_.notice.takeBack(wasSaved_); });
     connect(&document.history(), &QUndoStack::cleanChanged, this, [this](bool clean) {
         bench_.window.setWindowModified(!clean);
         if (!clean) bench_.notice.takeBack(wasSaved_);

@@ -149,8 +149,23 @@ public:
           taken_(std::move(taken)) {}
     const TakenFile* taken() const { return taken_ ? &*taken_ : nullptr; }
 
+    // What was selected when it came is selected again where it goes and nothing else is left selected.
+    void redo() override {
+        if (gone_.empty()) before_ = document().selected_;
+        Exchange::redo();
+        if (!gone_.empty()) document().setSelection(std::exchange(gone_, {}));
+    }
+    void undo() override {
+        const SurfaceRefs selected = document().selected_;
+        Exchange::undo();
+        if (!document().selected_.empty()) return;
+        gone_ = selected;
+        document().setSelection(before_);
+    }
+
 private:
     std::optional<TakenFile> taken_;
+    SurfaceRefs before_, gone_;
 };
 
 Document::Document(QObject* parent) : QObject(parent) {

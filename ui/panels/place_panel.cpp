@@ -145,7 +145,11 @@ Vec3 PlacePanel::angles() const {
 
 void PlacePanel::refresh() {
     const SceneObject* object = tool_.active();
-    heading_->setText(object ? QString::fromStdString(object->name) : tr("No object selected"));
+    const auto count = document_.selectedObjects().size();
+    const QString name = object ? QString::fromStdString(object->name) : QString();
+    heading_->setText(!object     ? tr("No object selected")
+                      : count > 1 ? tr("%1 objects, the figures of %2").arg(count).arg(name)
+                                  : name);
     hint_->setVisible(!object);
     rows_->setVisible(object);
     const ObjectId before = std::exchange(shown_, object ? object->id : 0);

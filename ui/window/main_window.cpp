@@ -358,7 +358,13 @@ void MainWindow::showOpened() {
     view_->planViews();
     hand_->placeBeside();
     view_->setFocus();
-    if (!hand_->idle()) hint_->offer();
+    offerHint();
+}
+
+/// Where it is true: with something to touch, by the mouse.
+void MainWindow::offerHint() {
+    hint_->hide();
+    if (actions_["touch"].isChecked() && !document_.empty() && !hand_->idle()) hint_->offer();
 }
 
 void MainWindow::frame() {

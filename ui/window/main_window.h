@@ -125,6 +125,7 @@ private:
 
     void follow(const SceneChange& change);
     void showOpened();
+    void offerHint();
     void askForFile();
     void savePicture();
     void frame();

@@ -185,10 +185,7 @@ void MainWindow::connectView() {
     connect(&actions_["arrange"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Arrange); });
     connect(&actions_["measure"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Measure); });
     connect(&actions_["select"], &QAction::toggled, selectStrip_, &QWidget::setVisible);
-    connect(&actions_["touch"], &QAction::toggled, this, [this](bool on) {
-        hint_->hide();
-        if (on && !document_.empty() && !hand_->idle()) hint_->offer();
-    });
+    connect(&actions_["touch"], &QAction::toggled, this, &MainWindow::offerHint);
     actions_["touch"].trigger();
     connect(&actions_["fit"], &QAction::triggered, view_, &SceneView::fit);
     const std::pair<const char*, StandardView> views[] = {{"view-front", StandardView::Front},
@@ -246,6 +243,7 @@ void MainWindow::showHovered() {
 void MainWindow::connectDocument() {
     connect(&document_, &Document::changed, this, &MainWindow::follow);
     connect(&document_, &Document::opened, this, &MainWindow::showOpened);
+    connect(&document_, &Document::added, this, &MainWindow::offerHint);
     connect(&document_, &Document::openFailed, notice_, &NoticeBar::showError);
     connect(&document_, &Document::editProgressed, this, [this](double fraction, double secondsLeft) {
         notice_->showProgress(tr("Changing the mesh"), fraction, secondsLeft, true);
