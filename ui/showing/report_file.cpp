@@ -36,6 +36,8 @@ protected:
         image.fill(Qt::white);
         QPainter painter(&image);
         drawing.render(&painter);
+        painter.end();
+        image.setDevicePixelRatio(kSharper); // its height is that of the page, beside a width that is given
         return image;
     }
 };

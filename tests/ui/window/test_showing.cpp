@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QMenuBar>
+#include <QProcess>
 #include <QSignalSpy>
 #include <QStatusBar>
 #include <QTest>
@@ -288,6 +289,25 @@ void TestShowing::aReportIsWritten() {
     COMPARE_CONTAINS(page, "Stiffness ceiling");
     QCOMPARE(page.count("by default"), 6);
     COMPARE_LACKS(page, "not saved as it is here");
+
+    // On paper nothing is stretched, as another reader finds it: as many dots to an inch across as along.
+    answerFileDialog(file("report.pdf"));
+    program.command("export-report").trigger();
+    QVERIFY(waitFor([&] { return notice->text().contains(QStringLiteral("report.pdf")); }));
+    QProcess reader;
+    reader.start(QStringLiteral("pdfimages"), {QStringLiteral("-list"), file("report.pdf")});
+    if (!reader.waitForStarted())
+        QSKIP("pdfimages is not installed: nobody else reads the PDF; apt install poppler-utils");
+    QVERIFY(reader.waitForFinished());
+    const QByteArray list = reader.readAllStandardOutput();
+    int drawings = 0;
+    for (const QByteArray& line : list.split('\n')) {
+        const QList<QByteArray> words = line.simplified().split(' ');
+        if (words.size() < 14 || words[2] != "image") continue;
+        drawings += words[3].toInt() > 1000;
+        COMPARE_NEAR(words[12].toDouble(), words[13].toDouble(), 2, "dots per inch");
+    }
+    QCOMPARE_GE(drawings, 1); // the forces of a stroke
 }
 
 TACTUM_GUI_TEST(TestShowing)
