@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QKeyEvent>
+#include <QWidget>
 
 namespace tactum {
 
@@ -42,8 +43,11 @@ bool HeldKey::eventFilter(QObject* watched, QEvent* event) {
     }
     // The release of a key goes elsewhere once the program is not in front.
     if (event->type() == QEvent::ApplicationDeactivate) stop();
-    // And with the dialog that it has closed.
-    if (event->type() == QEvent::WindowUnblocked && (timer_.isActive() || last_.isActive())) {
+    // And with the dialog or the menu that it has closed.
+    const auto* popup = event->type() == QEvent::Hide ? qobject_cast<const QWidget*>(watched) : nullptr;
+    const bool closed =
+        event->type() == QEvent::WindowUnblocked || (popup && popup->windowType() == Qt::Popup);
+    if (closed && (timer_.isActive() || last_.isActive())) {
         stop();
         lost_ = true;
     }

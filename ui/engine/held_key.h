@@ -25,7 +25,7 @@ private:
     Qt::Key key_;
     QTimer timer_;      ///< to shortly before the end,
     QTimer last_;       ///< and the rest, in which events are heard that a busy window has not got yet
-    bool lost_ = false; ///< its release may have gone with a dialog
+    bool lost_ = false; ///< its release may have gone with a dialog or a menu
 };
 
 } // namespace tactum

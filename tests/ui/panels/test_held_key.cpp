@@ -1,4 +1,7 @@
 // A key that is held down, told from a tap by what the window has heard of it.
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
@@ -41,6 +44,25 @@ private slots:
         release();
         QTest::qWait(2 * kTime);
         QCOMPARE(held.count(), 0);
+    }
+
+    // A menu takes the release with it; that it is held still its repetitions say.
+    void aTapThatClosesAMenuIsNone() {
+        HeldKey key(Qt::Key_Escape, kTime);
+        QSignalSpy held(&key, &HeldKey::held);
+        window_.show();
+        QMenu menu(&window_);
+        menu.addAction(QStringLiteral("one"));
+        menu.popup({20, 20});
+        QVERIFY(QTest::qWaitForWindowExposed(&menu));
+        QTest::keyPress(&menu, Qt::Key_Escape);
+        QVERIFY(!menu.isVisible());
+        QTest::qWait(3 * kTime);
+        QCOMPARE(held.count(), 0);
+        QKeyEvent again(QEvent::KeyPress, Qt::Key_Escape, {}, {}, true);
+        QApplication::sendEvent(&window_, &again);
+        QVERIFY(test::waitFor([&] { return held.count() == 1; }));
+        release();
     }
 
     // The tap itself may begin what takes long: leaving the full screen for one. Its release waits meanwhile.
