@@ -121,8 +121,7 @@ function(tactum_gui_test test)
   set_property(TEST ${test} APPEND PROPERTY
     ENVIRONMENT "QT_QPA_PLATFORM=xcb" "XDG_CONFIG_HOME=${CMAKE_CURRENT_BINARY_DIR}/config"
     "MESA_SHADER_CACHE_DIR=${CMAKE_BINARY_DIR}/shaders" # one for all, wherever a test puts its folders
-    # Drawing without a graphics card, in the thread that asks for it: as fast as with one of its own, and that one writes
-    # to a fence that is freed already, once in some thousand windows (Mesa 22.3; "corrupted unsorted chunks").
+    # Drawing without a graphics card in the thread that asks for it, as fast as with one of its own: docs/testing.md
     "LP_NUM_THREADS=0"
     ${ARGN})
 endfunction()

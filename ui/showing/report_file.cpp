@@ -73,7 +73,7 @@ void beginPage(QTextDocument& document, int block) {
 }
 
 /// A heading, or the words over a picture.
-bool isOverSomething(const QTextBlock& block) {
+bool leads(const QTextBlock& block) {
     const QString picture(QChar::ObjectReplacementCharacter);
     const bool isCaption = block.length() > 1 && block.text() != picture && block.next().text() == picture;
     return isCaption || block.blockFormat().headingLevel() > 0;
@@ -82,13 +82,13 @@ bool isOverSomething(const QTextBlock& block) {
 /// The headings and captions, by the numbers of their blocks, that begin a page because what they are over is
 /// on the next one. Where several follow each other the first of them does. `trial`: a copy that is laid out
 /// for it.
-std::vector<int> headingsOnNewPages(QTextDocument& trial, QPagedPaintDevice& paper) {
+std::vector<int> leadsOnNewPages(QTextDocument& trial, QPagedPaintDevice& paper) {
     layOut(trial, paper);
     std::vector<int> begin;
     for (QTextBlock block = trial.begin(); block.isValid(); block = block.next()) {
-        if (!isOverSomething(block)) continue;
+        if (!leads(block)) continue;
         QTextBlock below = block.next();
-        while (below.isValid() && (isOverSomething(below) || below.length() <= 1))
+        while (below.isValid() && (leads(below) || below.length() <= 1))
             below = below.next(); // and what is empty
         if (!below.isValid() || pageOf(trial, below) == pageOf(trial, block)) continue;
         begin.push_back(block.blockNumber());
@@ -108,8 +108,8 @@ QByteArray pdfOf(const QString& html, const ReportSubject& subject) {
     ReportDocument document, trial;
     document.setHtml(html);
     trial.setHtml(html);
-    for (const int heading : headingsOnNewPages(trial, writer))
-        beginPage(document, heading);
+    for (const int block : leadsOnNewPages(trial, writer))
+        beginPage(document, block);
     document.print(&writer);
     return bytes;
 }

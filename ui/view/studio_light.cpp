@@ -41,9 +41,8 @@ constexpr const char* kLight = R"(
 #else
     const float open = 1.0;
 #endif
-    const vec3 toFill = vec3(0.83, 0.12, 0.54);
+    const vec3 toFill = vec3(0.83, 0.12, 0.54), toLow = vec3(0.5, -0.62, 0.6);
     float key = max(0.0, (dot(n, toKey) + 0.15) / 1.15);
-    const vec3 toLow = vec3(0.5, -0.62, 0.6);
     float fill = max(0.0, (dot(n, toFill) + 0.3) / 1.3);
     float low = max(0.0, (dot(n, toLow) + 0.2) / 1.2);
     float facing = clamp(dot(n, toEye), 0.0, 1.0);

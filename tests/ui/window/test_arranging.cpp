@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMouseEvent>
 #include <QTest>
 #include <QToolButton>
@@ -15,6 +16,7 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/obj_box.h"
 #include "tests/ui/window/window_fixture.h"
+#include "ui/panels/place_panel.h"
 #include "ui/tools/arrange_tool.h"
 #include "ui/view/scene_view.h"
 
@@ -119,6 +121,22 @@ public:
 
 private slots:
     void init() { useSettingsIn(folder_.path()); }
+
+    /// The panel of numbers shows those of one: the last.
+    void theNumbersOfSeveralSayWhoseTheyAre() {
+        Desk desk(folder_);
+        QVERIFY(desk.opened);
+        const auto texts = [&] {
+            QStringList all;
+            for (const QLabel* label : desk.program.window->findChild<PlacePanel*>()->findChildren<QLabel*>())
+                if (label->property("heading").toBool()) all << label->text();
+            return all;
+        };
+        desk.program.document.selectObjects({desk.object(0).id});
+        QCOMPARE(texts(), QStringList{QStringLiteral("left")});
+        desk.program.document.selectObjects({desk.object(0).id, desk.object(1).id});
+        QCOMPARE(texts(), QStringList{QStringLiteral("2 objects, the figures of right")});
+    }
 
     // Along x by the arrow: as far as the pointer went, in one step, and back to the byte.
     void anArrowMovesTheObject() {

@@ -4,6 +4,7 @@
 
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -51,6 +52,7 @@ private slots:
     void frictionTypedIntoTheInspectorIsFeltAndUndone();
     void aPseudoHapticMouseLagsWithTheForce();
     void stopEndsTheForce();
+    void whereNothingCanBeTouchedNobodyIsToldTo();
 };
 
 void TestFirstTouch::init() {
@@ -246,6 +248,31 @@ void TestFirstTouch::stopEndsTheForce() {
     QVERIFY(program_->engine.armed());
     QTRY_VERIFY_WITH_TIMEOUT(!program_->engine.armed(), kPatience);
     QTest::keyRelease(program_->window.get(), Qt::Key_Escape);
+}
+
+/// "Drag on the model to touch it": with a model, and with the tool that touches.
+void TestFirstTouch::whereNothingCanBeTouchedNobodyIsToldTo() {
+    QSettings().clear(); // as before the first touch
+    Document& document = program_->document;
+    const auto* hint = program_->window->view().findChild<QLabel*>(QStringLiteral("hint"));
+    QVERIFY(hint);
+    const auto added = [&](std::size_t count) {
+        return test::waitFor([&] { return document.scene().objects.size() == count && !document.opening(); });
+    };
+    document.begin({});
+    QVERIFY(hint->isHidden());
+    program_->command("add-box").trigger();
+    QVERIFY(added(1));
+    QVERIFY(!hint->isHidden());
+    program_->command("arrange").trigger();
+    QVERIFY(hint->isHidden());
+    program_->command("add-sphere").trigger();
+    QVERIFY(added(2));
+    QVERIFY(hint->isHidden());
+    QVERIFY(program_->open(writeCube(folder_)));
+    QVERIFY(hint->isHidden());
+    program_->command("touch").trigger();
+    QVERIFY(!hint->isHidden());
 }
 
 TACTUM_GUI_TEST(TestFirstTouch)
