@@ -17,7 +17,12 @@ namespace tactum {
 class CubeDistances {
 public:
     explicit CubeDistances(const std::array<int, 3>& count)
-        : count_(count), cubes_(std::size_t(count[0]) * std::size_t(count[1]) * std::size_t(count[2]), 255) {}
+        : count_(count), cubes_(std::size_t(count[0]) * std::size_t(count[1]) * std::size_t(count[2]), 255) {
+        for (int i = 0; i < 27; ++i) {
+            const Eigen::Vector3i step = stepTo(i);
+            offsets_[std::size_t(i)] = (step.z() * count[1] + step.y()) * count[0] + step.x();
+        }
+    }
 
     std::size_t size() const { return cubes_.size(); }
     bool holds(const Eigen::Vector3i& at) const {
@@ -63,15 +68,36 @@ public:
         forSome(cube, 0, 13, visit);
         forSome(cube, 14, 27, visit);
     }
+    /// Of each cube whether a way through faces of empty ones leads there from the first, which is empty:
+    /// none leads into a closed surface.
+    std::vector<bool> reached() const {
+        std::vector<bool> all(size(), false);
+        std::vector<std::size_t> ahead{0};
+        all[0] = true;
+        const auto look = [&](std::size_t cube) {
+            if (all[cube] || cubes_[cube] == 0) return;
+            all[cube] = true;
+            ahead.push_back(cube);
+        };
+        while (!ahead.empty()) {
+            const std::size_t cube = ahead.back();
+            ahead.pop_back();
+            for (const int face : {4, 10, 12, 14, 16, 22})
+                forSome(cube, face, face + 1, look);
+        }
+        return all;
+    }
 
 private:
     /// The neighbours from `begin` to `end` of 27, of which the fourteenth is the cube itself.
     template <class Visit> void forSome(std::size_t cube, int begin, int end, Visit visit) const {
         const Eigen::Vector3i at = cubeOf(cube);
-        for (int i = begin; i < end; ++i) {
-            const Eigen::Vector3i near = at + Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-            if (holds(near)) visit(indexOf(near));
-        }
+        const bool all = holds(at - Eigen::Vector3i::Ones()) && holds(at + Eigen::Vector3i::Ones());
+        for (int i = begin; i < end; ++i)
+            if (all || holds(at + stepTo(i))) visit(std::size_t(int(cube) + offsets_[std::size_t(i)]));
+    }
+    static Eigen::Vector3i stepTo(int neighbour) {
+        return {neighbour % 3 - 1, neighbour / 3 % 3 - 1, neighbour / 9 - 1};
     }
     void spreadTo(std::size_t cube, int begin, int end) {
         int nearest = cubes_[cube];
@@ -81,6 +107,7 @@ private:
 
     std::array<int, 3> count_;
     std::vector<std::uint8_t> cubes_;
+    std::array<int, 27> offsets_; ///< from a cube to its neighbours, itself in the middle
 };
 
 } // namespace tactum

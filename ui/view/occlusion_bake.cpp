@@ -78,7 +78,8 @@ class Bake {
 public:
     /// `reach`: in cubes.
     Bake(const SolidCubes& solid, double reach)
-        : distances_(solid.distances), facing_(solid.facing), reach_(float(reach)) {}
+        : distances_(solid.distances), facing_(solid.facing), outside_(distances_.reached()),
+          reach_(float(reach)) {}
 
     /// Nothing for cancelled work. What some rays miss of small things is smoothed away; cubes that hold a
     /// surface, from which nothing is seen, are as dark as those about them, and dark where there are none.
@@ -87,8 +88,10 @@ public:
         ProgressMeter meter(progress, all.size(), 1 << 12);
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (!meter.goesOn(i)) return std::nullopt;
-            if (distances_.at(i) == 0) all[i] = Light::Zero();
-            if (isNear(i)) all[i] = around(distances_.cubeOf(i));
+            if (!outside_[i])
+                all[i] = Light::Zero();
+            else if (isNear(i))
+                all[i] = around(distances_.cubeOf(i));
         }
         all = averaged(all, [this](std::size_t i) { return isNear(i); });
         return averaged(all, [this](std::size_t i) { return distances_.at(i) == 0; });
@@ -112,7 +115,7 @@ private:
 
     /// In steps over what is known to be empty. Who sees a surface from behind is inside of something.
     float openTo(const Eigen::Vector3f& from, const Look& look) const {
-        const float end = distances_.wayOut(from, look.toward);
+        const float end = std::min(reach_, distances_.wayOut(from, look.toward));
         for (float far = 0; far < end;) {
             const std::size_t cube = distances_.indexOf((from + far * look.toward).cast<int>());
             const int empty = distances_.at(cube);
@@ -144,6 +147,7 @@ private:
 
     const CubeDistances& distances_;
     const std::vector<Eigen::Vector3f>& facing_;
+    const std::vector<bool> outside_; ///< no light comes into a closed surface
     const float reach_;
     const std::array<Look, kDirections> looks_ = looks();
 };
