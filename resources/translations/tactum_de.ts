@@ -84,6 +84,14 @@
             <translation>%1 (%2)</translation>
         </message>
         <message>
+            <source>%1 (off)</source>
+            <translation>%1 (aus)</translation>
+        </message>
+        <message>
+            <source>%1 (on)</source>
+            <translation>%1 (an)</translation>
+        </message>
+        <message>
             <source>%1 - Tactum</source>
             <translation>%1 - Tactum</translation>
         </message>

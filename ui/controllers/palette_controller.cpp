@@ -76,7 +76,8 @@ void PaletteController::open() {
         if (id == QLatin1String("palette")) continue;
         entries.push_back({id, plain(action.text()), menuPath(command.menu),
                            action.shortcut().toString(QKeySequence::NativeText), tr(command.sentence),
-                           whyNot(action), [&action] { action.trigger(); }});
+                           whyNot(action), [&action] { action.trigger(); },
+                           action.isCheckable() ? std::optional(action.isChecked()) : std::nullopt});
     }
     addPanels(entries);
     addSurfaces(entries);

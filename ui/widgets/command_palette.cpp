@@ -153,12 +153,14 @@ void CommandPalette::fill() {
 }
 
 void CommandPalette::addRow(const PaletteEntry& entry, std::size_t index) {
-    auto* item = new QTreeWidgetItem(list_, {entry.text, entry.menu, entry.keys});
+    QString where = entry.menu;
+    if (entry.on) where = *entry.on ? tr("%1 (on)").arg(where) : tr("%1 (off)").arg(where);
+    auto* item = new QTreeWidgetItem(list_, {entry.text, where, entry.keys});
     item->setData(0, Qt::UserRole, qulonglong(index));
-    item->setData(0, Qt::AccessibleTextRole,
-                  QStringList({entry.text, entry.menu, entry.keys,
-                               entry.whyNot.isEmpty() ? entry.sentence : entry.whyNot})
-                      .join(QStringLiteral(", ")));
+    item->setData(
+        0, Qt::AccessibleTextRole,
+        QStringList({entry.text, where, entry.keys, entry.whyNot.isEmpty() ? entry.sentence : entry.whyNot})
+            .join(QStringLiteral(", ")));
     for (int i = 0; i < 3; ++i)
         if (i > 0 || !entry.whyNot.isEmpty()) item->setForeground(i, theme().textDimmed);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <QFrame>
@@ -22,6 +23,7 @@ struct PaletteEntry {
     QString sentence;
     QString whyNot; ///< one sentence; empty: it can be done now
     std::function<void()> run;
+    std::optional<bool> on = {}; ///< of what is switched on and off
 };
 
 /// How well an entry fits what was typed: each word somewhere in it, in any order; 0 not at all. A word may

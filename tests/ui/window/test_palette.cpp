@@ -100,6 +100,7 @@ private slots:
     void wordsFitInAnyOrder();
     void everyCommandIsInIt();
     void theThemeIsInItAndMenusAreWords();
+    void whatIsSwitchedSaysHowItStands();
     void enterRunsWhatWasTyped();
     void whatIsOffSaysWhy();
     void recentOnesComeFirst();
@@ -141,6 +142,23 @@ void TestPalette::theThemeIsInItAndMenusAreWords() {
         QVERIFY2(!menu.contains(u'&') && !menu.contains(u'/'), qPrintable(menu));
     QTest::keyClicks(&lineOf(program), QStringLiteral("light"));
     COMPARE_CONTAINS(listed(program), QStringLiteral("Light"));
+}
+
+void TestPalette::whatIsSwitchedSaysHowItStands() {
+    TouchedWindow program;
+    const auto whereOf = [&] { // of its row in the palette
+        if (!openPalette(program)) return QString();
+        const auto found = listOf(program).findItems(QStringLiteral("Through the model"), Qt::MatchExactly);
+        const QString where = found.size() == 1 ? found[0]->text(1) : QString();
+        QTest::keyClick(&lineOf(program), Qt::Key_Escape);
+        return test::waitFor([&] { return !paletteOf(program); }) ? where : QString();
+    };
+    QCOMPARE(whereOf(), QStringLiteral("Select (on)"));
+    program.command("through").trigger();
+    QCOMPARE(whereOf(), QStringLiteral("Select (off)"));
+    QVERIFY(openPalette(program)); // and what is done once has nothing to say
+    QCOMPARE(listOf(program).findItems(QStringLiteral("Lasso"), Qt::MatchExactly).value(0)->text(1),
+             QStringLiteral("Select"));
 }
 
 void TestPalette::everyCommandIsInIt() {
