@@ -35,7 +35,8 @@ struct QualityView {
         view.setFelt(bare);
         view.show();
         if (!QTest::qWaitForWindowExposed(&view)) qFatal("no window");
-        if (!test::waitFor([&] { return !view.makesMeshes(); })) qFatal("the meshes are never made");
+        if (!test::waitFor([&] { return !view.makesMeshes() && !view.makesFelt(); }))
+            qFatal("it is never made");
         proxy.updates = servo.ticks = 1;
         touch(0);
         rest();
