@@ -440,7 +440,8 @@ private slots:
         const Vec3 finger(0, 0, 0.045), proxy(0, 0, 0.051), force(0, 0, 4);
         const Vec3 little = 0.04 * shown.camera().pixelSize(proxy) * Vec3::UnitX();
         shown.touch(finger, proxy, force);
-        QVERIFY(test::waitFor([&] { return shown.view.rests(); })); // it is drawn once more, smoothly
+        // It is drawn once more, smoothly, and when it is known what is dark.
+        QVERIFY(test::waitFor([&] { return shown.view.rests() && !shown.view.makesFelt(); }));
         PaintCount count(shown.view);
         for (int i = 0; i < 20; ++i) {
             shown.touch(finger + (i % 2) * little, proxy - (i % 2) * little,
