@@ -470,16 +470,23 @@ bool ModelLayer::shows(const SurfaceRef& surface) const {
     return visiblePart(surface) != nullptr;
 }
 
-std::vector<vtkSmartPointer<vtkActor>> ModelLayer::actorsOf(const std::vector<SurfaceRef>& surfaces) const {
-    std::vector<vtkSmartPointer<vtkActor>> actors;
-    std::vector<const CrowdPart*> small;
+Outlined ModelLayer::outlinesOf(const std::vector<SurfaceRef>& surfaces) const {
+    Outlined outlines;
+    std::array<std::vector<const CrowdPart*>, std::tuple_size_v<Outlined>> small;
+    std::map<ObjectId, std::size_t> turns;
     for (const SurfaceRef& surface : surfaces) {
         const Part* part = visiblePart(surface);
-        if (part && part->actor) actors.push_back(part->actor);
-        if (part && !part->actor) small.push_back(&part->crowd);
+        if (!part) continue;
+        const std::size_t turn =
+            turns.try_emplace(surface.object, turns.size()).first->second % outlines.size();
+        if (part->actor)
+            outlines[turn].push_back(part->actor);
+        else
+            small[turn].push_back(&part->crowd);
     }
-    if (!small.empty()) actors.push_back(crowd_.outlineOf(small));
-    return actors;
+    for (std::size_t i = 0; i < small.size(); ++i)
+        if (!small[i].empty()) outlines[i].push_back(crowd_.outlineOf(small[i]));
+    return outlines;
 }
 
 } // namespace tactum

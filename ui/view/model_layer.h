@@ -25,6 +25,7 @@
 #include "ui/view/crowd.h"
 #include "ui/view/display_mesh.h"
 #include "ui/view/model_mapper.h"
+#include "ui/view/outline_pass.h"
 #include "ui/view/relief_shader.h"
 
 class vtkRenderer;
@@ -75,8 +76,9 @@ public:
 
     /// Whether a surface exists and is visible.
     bool shows(const SurfaceRef& surface) const;
-    /// Actors that cover those of the surfaces that are visible. Until the next scene.
-    std::vector<vtkSmartPointer<vtkActor>> actorsOf(const std::vector<SurfaceRef>& surfaces) const;
+    /// Actors that cover those of the surfaces that are visible, an outline for each object. Until the next
+    /// scene.
+    Outlined outlinesOf(const std::vector<SurfaceRef>& surfaces) const;
     /// X_WB of an object where it is now; null when it is hidden or unknown.
     vtkMatrix4x4* matrixOf(ObjectId object) const;
     /// The same; nothing where there is no matrix.

@@ -1,10 +1,12 @@
 #include "ui/view/outline_pass.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <qopengl.h>
 
 #include <vtkActorCollection.h>
+#include <vtkBoundingBox.h>
 #include <vtkCamera.h>
 #include <vtkCameraPass.h>
 #include <vtkObjectFactory.h>
@@ -55,10 +57,14 @@ void main() {
 }
 )";
 
-/// The rectangle of the screen that holds the visible actors, grown by a margin; pixels, from the lower left.
-std::array<int, 4> screenBox(vtkRenderer& renderer, std::array<int, 2> size, int margin) {
+/// The rectangle of the screen that holds some actors, grown by a margin; pixels, from the lower left.
+std::array<int, 4> screenBox(vtkRenderer& renderer, const std::vector<vtkProp*>& props,
+                             std::array<int, 2> size, int margin) {
+    vtkBoundingBox box3;
+    for (vtkProp* prop : props)
+        if (const double* bounds = prop->GetBounds()) box3.AddBounds(bounds);
     std::array<double, 6> bounds{};
-    renderer.ComputeVisiblePropBounds(bounds.data());
+    if (box3.IsValid()) box3.GetBounds(bounds.data());
     double low[2] = {1e9, 1e9}, high[2] = {-1e9, -1e9};
     for (int corner = 0; corner < 8; ++corner) {
         renderer.SetWorldPoint(bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
@@ -98,23 +104,34 @@ OutlinePass::OutlinePass() {
 
 OutlinePass::~OutlinePass() = default;
 
+void OutlinePass::setOutlined(Outlined outlined) {
+    outlined_ = std::move(outlined);
+    forget();
+}
+
 void OutlinePass::Render(const vtkRenderState* state) {
     NumberOfRenderedProps = 0;
     auto* renderer = state->GetRenderer();
-    if (renderer->VisibleActorCount() == 0) return;
-    Mask& mask = masks_[renderer->GetActiveCamera()];
     std::array<int, 2> size{};
     renderer->GetTiledSize(&size[0], &size[1]);
-    if (size != mask.size) mask.time = 0;
-    mask.size = size;
     auto* window = static_cast<GlWindow*>(renderer->GetRenderWindow());
     const bool coarse = window->drawsCoarse();
-    if (const vtkMTimeType now = lastChange(*renderer); now != mask.time || coarse != mask.coarse) {
-        renderMask(mask, state, window);
-        mask.time = now;
-        mask.coarse = coarse;
+    for (std::size_t i = 0; i < outlined_.size(); ++i) {
+        std::vector<vtkProp*> props(outlined_[i].begin(), outlined_[i].end());
+        if (props.empty()) continue;
+        vtkRenderState some(renderer);
+        some.SetPropArrayAndCount(props.data(), int(props.size()));
+        some.SetFrameBuffer(state->GetFrameBuffer());
+        Mask& mask = masks_[{renderer->GetActiveCamera(), i}];
+        if (size != mask.size) mask.time = 0;
+        mask.size = size;
+        if (const vtkMTimeType now = lastChange(*renderer); now != mask.time || coarse != mask.coarse) {
+            renderMask(mask, &some, window);
+            mask.time = now;
+            mask.coarse = coarse;
+        }
+        drawEdge(mask, window, screenBox(*renderer, props, size, int(width_) + 2));
     }
-    drawEdge(mask, window, screenBox(*renderer, size, int(width_) + 2));
 }
 
 void OutlinePass::renderMask(Mask& mask, const vtkRenderState* state, vtkOpenGLRenderWindow* window) {
@@ -160,16 +177,17 @@ void OutlinePass::Mask::release(vtkWindow* window) {
 }
 
 void OutlinePass::forget(const vtkCamera& camera, vtkWindow* window) {
-    const auto it = masks_.find(&camera);
-    if (it == masks_.end()) return;
-    it->second.release(window);
-    masks_.erase(it);
+    for (auto it = masks_.begin(); it != masks_.end();) {
+        const bool goes = it->first.first == &camera;
+        if (goes) it->second.release(window);
+        it = goes ? masks_.erase(it) : std::next(it);
+    }
 }
 
 void OutlinePass::ReleaseGraphicsResources(vtkWindow* window) {
     Superclass::ReleaseGraphicsResources(window);
     quad_.reset();
-    for (auto& [camera, mask] : masks_)
+    for (auto& [of, mask] : masks_)
         mask.release(window);
     masks_.clear();
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include <QColor>
 
@@ -13,13 +15,17 @@
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
+class vtkActor;
 class vtkCamera;
 class vtkTextureObject;
 
 namespace tactum {
 
-/// Renders the actors as a mask beside the picture and then colours the pixels around the mask's edge.
-/// For a renderer of a layer above 0, seen through everything beneath it. Thread: ui.
+/// Actors by the outline that they share. More objects than that take turns.
+using Outlined = std::array<std::vector<vtkSmartPointer<vtkActor>>, 4>;
+
+/// Renders the actors of each outline as a mask beside the picture and then colours the pixels around the
+/// mask's edge. For a renderer of a layer above 0, seen through everything beneath it. Thread: ui.
 class OutlinePass : public vtkImageProcessingPass {
 public:
     static OutlinePass* New();
@@ -31,12 +37,15 @@ public:
     /// Width in device pixels.
     void setWidth(float pixels) { width_ = pixels; }
 
-    /// The next outline is that of a new mask.
+    /// Of the renderer's actors; those that are not among them have no outline.
+    void setOutlined(Outlined outlined);
+
+    /// The next outlines are those of new masks.
     void forget() {
-        for (auto& [camera, mask] : masks_)
+        for (auto& [of, mask] : masks_)
             mask.time = 0;
     }
-    /// The mask of that camera is not needed any more; with the window's context current.
+    /// The masks of that camera are not needed any more; with the window's context current.
     void forget(const vtkCamera& camera, vtkWindow* window);
 
     void Render(const vtkRenderState* state) override;
@@ -60,7 +69,8 @@ private:
     void renderMask(Mask& mask, const vtkRenderState* state, vtkOpenGLRenderWindow* window);
     void drawEdge(const Mask& mask, vtkOpenGLRenderWindow* window, const std::array<int, 4>& box);
 
-    std::map<const vtkCamera*, Mask> masks_;
+    Outlined outlined_;
+    std::map<std::pair<const vtkCamera*, std::size_t>, Mask> masks_; ///< of each outline
     QColor colour_;
     float width_ = 2;
     std::unique_ptr<vtkOpenGLQuadHelper> quad_;

@@ -65,7 +65,7 @@ void SceneView::Impl::applyTheme() {
 }
 
 void SceneView::Impl::refreshSelection() {
-    stage.setOutlined(model.actorsOf(selection));
+    stage.setOutlined(model.outlinesOf(selection));
 }
 
 PictureQuality SceneView::atRest() const {

@@ -70,15 +70,19 @@ void ViewStage::forgetPicture() {
     outlinePass_->forget();
 }
 
-void ViewStage::setOutlined(const std::vector<vtkSmartPointer<vtkActor>>& actors) {
+void ViewStage::setOutlined(const Outlined& actors) {
     outline_->RemoveAllViewProps();
-    for (const vtkSmartPointer<vtkActor>& actor : actors) {
-        vtkNew<vtkActor> copy;
-        copy->SetMapper(actor->GetMapper());
-        copy->SetUserMatrix(actor->GetUserMatrix());
-        useNoLight(*copy);
-        outline_->AddActor(copy);
-    }
+    Outlined copies;
+    for (std::size_t i = 0; i < actors.size(); ++i)
+        for (const vtkSmartPointer<vtkActor>& actor : actors[i]) {
+            auto copy = vtkSmartPointer<vtkActor>::New();
+            copy->SetMapper(actor->GetMapper());
+            copy->SetUserMatrix(actor->GetUserMatrix());
+            useNoLight(*copy);
+            outline_->AddActor(copy);
+            copies[i].push_back(copy);
+        }
+    outlinePass_->setOutlined(std::move(copies));
 }
 
 // The list of planes has a time of its own, which is the mappers' as well; that of a plane is not.

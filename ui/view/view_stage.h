@@ -48,8 +48,8 @@ public:
     void forgetPicture();
     /// What a ModelMapper draws is cut open there; nothing: it is whole.
     void setSection(const std::optional<SectionPlane>& plane);
-    /// Draws one outline around these actors.
-    void setOutlined(const std::vector<vtkSmartPointer<vtkActor>>& actors);
+    /// Draws outlines around copies of these actors.
+    void setOutlined(const Outlined& actors);
     /// How many cameras take turns, at first one. What is kept of those that go is given back; with the
     /// window's context current, if it has one.
     void setCameras(std::size_t count);

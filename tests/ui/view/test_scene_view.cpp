@@ -268,6 +268,31 @@ private slots:
         QCOMPARE_LT(difference(shown.colourAt(rim), before), 3);
     }
 
+    /// Of two balls, the farther of which is seen within the other: as many pixels as of each alone. That
+    /// none of them has the accent without a selection shows that nothing else is counted.
+    void eachSelectedObjectHasAnOutline() {
+        ShownBall shown;
+        SceneObject behind = shown.scene.objects[0];
+        behind.id = 0;
+        behind.pose.translation = {0, 0.5 * kBallRadius, -3 * kBallRadius};
+        shown.scene.add(behind);
+        shown.view.setScene(shown.scene);
+        const auto outlined = [&](const std::vector<SurfaceRef>& selection) {
+            shown.view.setSelection(selection);
+            const QImage picture = shown.view.grabPicture();
+            int count = 0;
+            for (int y = 0; y < picture.height(); ++y)
+                for (int x = 0; x < picture.width(); ++x)
+                    count += difference(picture.pixelColor(x, y), kDarkTheme.accent) < 60;
+            return count;
+        };
+        const SurfaceRef near{shown.scene.objects[0].id, kUpper}, far{shown.scene.objects[1].id, kUpper};
+        QCOMPARE(outlined({}), 0);
+        const int one = outlined({near}), other = outlined({far});
+        QCOMPARE_GT(other, 200);
+        COMPARE_NEAR(outlined({near, far}), one + other, 0.05 * other, "pixels");
+    }
+
     // While nothing else changes: finger and proxy span a box in which the ball moves.
     void theOutlineGoesWithItsBody() {
         ShownBall shown;
