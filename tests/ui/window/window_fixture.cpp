@@ -221,7 +221,8 @@ void TouchedWindow::perform(const char* id) {
     const auto& rows = *palette()->findChild<QTreeWidget*>(QStringLiteral("palette-list"));
     const auto isIt = [&](const QTreeWidgetItem* row) {
         const auto* menu = qobject_cast<QMenu*>(action.associatedObjects().value(0));
-        return row && row->text(0) == name && menu && row->text(1).endsWith(menu->title().remove(u'&'));
+        const QString where = row ? row->text(1).section(QStringLiteral(" ("), 0, 0) : QString(); // (on)
+        return row && row->text(0) == name && menu && where.endsWith(menu->title().remove(u'&'));
     };
     for (int i = 0; i < rows.topLevelItemCount() && !isIt(rows.currentItem()); ++i)
         QTest::keyClick(line, Qt::Key_Down);
