@@ -284,6 +284,7 @@ private slots:
         QTest::addColumn<int>("ball");
         QTest::addColumn<bool>("atRest");
         QTest::addColumn<ViewSplit>("split");
+        // Four panes of a crowd would say nothing that a crowd and four panes do not.
         for (const ViewSplit split : {ViewSplit::One, ViewSplit::Four})
             for (int ball = 0; ball < (split == ViewSplit::One ? int(kBalls.size()) : 1); ++ball)
                 for (const bool atRest : {false, true})
