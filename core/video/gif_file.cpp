@@ -9,13 +9,14 @@
 
 #include <gif_lib.h>
 
+#include "core/video/palette.h"
+
 namespace tactum {
 
 namespace {
 
 constexpr long kLeastDelay = 2;       // hundredths of a second: players take less for a tenth
 constexpr long kLongestDelay = 65535; // what two bytes hold
-constexpr int kColours = 256;
 
 /// A part of a picture, pixels.
 struct Part {
@@ -42,40 +43,17 @@ Part changedPart(const VideoPicture& now, const VideoPicture& before) {
     return bottom == 0 ? Part{0, 0, 1, 1} : Part{left, top, right - left, bottom - top};
 }
 
-/// What is added to a value before giflib takes its five upper bits: from 0 to 7, another one at each of 8 x
-/// 8 pixels (Bayer's order), so that what is lost of a pixel is found in those around it.
-unsigned dither(int x, int y) {
-    unsigned order = 0;
-    for (int bit = 0; bit < 3; ++bit) {
-        const unsigned across = unsigned(x ^ y) >> bit & 1, down = unsigned(y) >> bit & 1;
-        order = order << 2 | across << 1 | down;
-    }
-    return order / 8;
+/// More of the pixels of a part than this are far from every colour: it has colours that came later.
+constexpr double kForeign = 0.002;
+constexpr int kFar = 20; ///< of 255
+
+bool isForeignTo(Palette& palette, const VideoPicture& picture, const Part& part) {
+    std::size_t far = 0;
+    for (int y = part.top; y < part.top + part.height; ++y)
+        for (int x = part.left; x < part.left + part.width; ++x)
+            far += palette.distanceOf(shadeAt(picture, x, y)) > kFar;
+    return double(far) > kForeign * part.width * part.height;
 }
-
-GifByteType dithered(unsigned value, unsigned more) {
-    return GifByteType(std::min((value & 255) + more, 255u));
-}
-
-/// The colours of a part one by one, as giflib wants them.
-struct Planes {
-    std::vector<GifByteType> red, green, blue, index;
-
-    Planes(const VideoPicture& picture, const Part& part) {
-        const std::size_t count = std::size_t(part.width) * std::size_t(part.height);
-        for (auto* plane : {&red, &green, &blue, &index})
-            plane->reserve(count);
-        for (int y = part.top; y < part.top + part.height; ++y)
-            for (int x = part.left; x < part.left + part.width; ++x) {
-                const std::uint32_t pixel = picture.pixels[std::size_t(y) * std::size_t(picture.width) + x];
-                const unsigned more = dither(x, y);
-                red.push_back(dithered(pixel >> 16, more));
-                green.push_back(dithered(pixel >> 8, more));
-                blue.push_back(dithered(pixel, more));
-            }
-        index.resize(count);
-    }
-};
 
 struct FreeColours {
     void operator()(ColorMapObject* map) const { GifFreeMapObject(map); }
@@ -104,6 +82,7 @@ private:
     VideoOutput output_;
     GifFileType* gif_ = nullptr;
     VideoPicture before_, waiting_; ///< the last one in the file; and one whose end is not known yet
+    Palette palette_;               ///< of what is shown
     long since_ = 0, written_ = 0;  ///< when that one begins, and until when the file goes; 1/100 s
 };
 
@@ -136,24 +115,30 @@ bool GifFile::writeDelay(long hundredths) {
 }
 
 bool GifFile::writePart(const Part& part) {
-    Planes planes(waiting_, part);
-    const Colours colours(GifMakeMapObject(kColours, nullptr));
-    int count = kColours;
-    if (!colours || GifQuantizeBuffer(unsigned(part.width), unsigned(part.height), &count, planes.red.data(),
-                                      planes.green.data(), planes.blue.data(), planes.index.data(),
-                                      colours->Colors) != GIF_OK)
-        return false;
+    const Colours colours(GifMakeMapObject(Palette::kColours, nullptr));
+    if (!colours) return false;
+    std::ranges::transform(palette_.colours(), colours->Colors, [](const Palette::Colour& each) {
+        return GifColorType{each.red, each.green, each.blue};
+    });
     if (EGifPutImageDesc(gif_, part.left, part.top, part.width, part.height, false, colours.get()) != GIF_OK)
         return false;
-    for (int y = 0; y < part.height; ++y)
-        if (EGifPutLine(gif_, planes.index.data() + std::ptrdiff_t(y) * part.width, part.width) != GIF_OK)
-            return false;
+    std::vector<GifByteType> row(std::size_t(part.width));
+    for (int y = part.top; y < part.top + part.height; ++y) {
+        for (int x = 0; x < part.width; ++x)
+            row[std::size_t(x)] = palette_.indexOf(shadeAt(waiting_, part.left + x, y));
+        if (EGifPutLine(gif_, row.data(), part.width) != GIF_OK) return false;
+    }
     return true;
 }
 
+// A part in colours of its own would be seen beside the rest, so the palette stays as long as it can.
 bool GifFile::writeWaiting(long until) {
-    if (!writeDelay(std::min(until - since_, kLongestDelay)) || !writePart(changedPart(waiting_, before_)) ||
-        !output_.flush())
+    Part part = changedPart(waiting_, before_);
+    if (before_.pixels.empty() || isForeignTo(palette_, waiting_, part)) {
+        palette_ = Palette(waiting_);
+        part = {0, 0, waiting_.width, waiting_.height};
+    }
+    if (!writeDelay(std::min(until - since_, kLongestDelay)) || !writePart(part) || !output_.flush())
         return false;
     written_ = until;
     before_ = std::move(waiting_);

@@ -1,6 +1,8 @@
 // A video as another program sees it: ffprobe counts its pictures, ffmpeg decodes them.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -59,27 +61,38 @@ inline std::vector<std::vector<std::uint32_t>> decoded(const QString& file, int 
     return pictures;
 }
 
-/// The mean difference of a channel, of 255, of squares of 8 x 8 pixels: what a GIF has too few colours for
-/// it mixes of those around.
+/// How much a channel of squares of 8 x 8 pixels differs, of 255: what a GIF has too few colours for it mixes
+/// of those around.
+struct Difference {
+    double mean = 255, worst = 255;
+};
+
+inline Difference differenceOf(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b,
+                               int width) {
+    constexpr int kSquare = 8;
+    if (a.size() != b.size() || a.empty()) return {};
+    const int across = (width + kSquare - 1) / kSquare, rows = int(a.size()) / width;
+    std::vector<double> sums(std::size_t(3 * across * ((rows + kSquare - 1) / kSquare)));
+    std::vector<int> pixels(sums.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const int square = int(i) / width / kSquare * across + int(i) % width / kSquare;
+        for (int c = 0; c < 3; ++c) {
+            const auto of = [&](std::uint32_t pixel) { return int(pixel >> (8 * c) & 255); };
+            sums[std::size_t(3 * square + c)] += of(a[i]) - of(b[i]);
+            ++pixels[std::size_t(3 * square + c)];
+        }
+    }
+    Difference all{0, 0};
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        all.mean += std::abs(sums[i]) / double(3 * a.size());
+        all.worst = std::max(all.worst, std::abs(sums[i]) / pixels[i]);
+    }
+    return all;
+}
+
 inline double difference(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b,
                          int width) {
-    constexpr int kSquare = 8;
-    if (a.size() != b.size() || a.empty()) return 255;
-    const auto squares = [&](const std::vector<std::uint32_t>& pixels, int shift) {
-        std::vector<double> sums(pixels.size());
-        for (std::size_t i = 0; i < pixels.size(); ++i) {
-            const int x = int(i) % width / kSquare, y = int(i) / width / kSquare;
-            sums[std::size_t(y * width + x)] += int(pixels[i] >> shift & 255) / double(kSquare * kSquare);
-        }
-        return sums;
-    };
-    double sum = 0;
-    for (const int shift : {0, 8, 16}) {
-        const auto seenOfA = squares(a, shift), seenOfB = squares(b, shift);
-        for (std::size_t i = 0; i < seenOfA.size(); ++i)
-            sum += std::abs(seenOfA[i] - seenOfB[i]);
-    }
-    return sum * kSquare * kSquare / (3 * double(a.size()));
+    return differenceOf(a, b, width).mean;
 }
 
 } // namespace tactum::test

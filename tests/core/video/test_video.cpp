@@ -1,5 +1,6 @@
 // Videos, looked at by ffmpeg: size, times and pixels are what was put in, also when nobody finished the
 // file.
+#include <cmath>
 #include <csignal>
 
 #include <QDir>
@@ -30,6 +31,29 @@ VideoPicture pictureAt(int step) {
             const bool square = x / 16 == step % 6 && y / 16 == 1;
             const std::uint32_t r = square ? 240 : unsigned(2 * x), g = square ? 200 : unsigned(3 * y),
                                 b = 60;
+            picture.pixels.push_back(0xff000000u | r << 16 | g << 8 | b);
+        }
+    return picture;
+}
+
+constexpr int kWide = 320, kHigh = 240;
+
+/// As a window shows: a ground that is nearly black, a large body with a soft shadow, and what is small and
+/// colourful: the lines of a plot, which go on, and a finger on its way.
+VideoPicture windowAt(int step) {
+    VideoPicture picture{kWide, kHigh, {}};
+    for (int y = 0; y < kHigh; ++y)
+        for (int x = 0; x < kWide; ++x) {
+            const double far = std::hypot(x - 130, 2 * (y - 100)) / 110;
+            unsigned r = 40 + unsigned(y) / 12, g = 42 + unsigned(y) / 12, b = 50 + unsigned(y) / 10;
+            if (far < 1) {
+                const double light = 1 - 0.25 * std::exp(-std::pow((x - 120) / 30.0, 2)) - 0.1 * far;
+                r = unsigned(226 * light), g = unsigned(216 * light), b = unsigned(198 * light);
+            }
+            if (std::hypot(x - 90 - 6 * step, y - 90) < 6) r = 240, g = 150, b = 40;
+            if (y > 180 && (y - 180) % 12 < 2 && (x < 20 + 30 * step || x > 300)) {
+                r = x % 3 == 0 ? 255 : 20, g = unsigned(37 * (y / 12) % 256), b = unsigned(5 * x % 256);
+            }
             picture.pixels.push_back(0xff000000u | r << 16 | g << 8 | b);
         }
     return picture;
@@ -70,6 +94,7 @@ private slots:
     }
     void anotherPlayerSeesWhatWasPutIn_data();
     void anotherPlayerSeesWhatWasPutIn();
+    void aBodyKeepsItsShadingBesideAPlot();
     void whatIsNotFinishedCanBePlayed_data() { anotherPlayerSeesWhatWasPutIn_data(); }
     void whatIsNotFinishedCanBePlayed();
     void aPictureIsHeldForMinutes();
@@ -115,6 +140,25 @@ void TestVideo::anotherPlayerSeesWhatWasPutIn() {
     for (std::size_t i = 0; i < times.size(); ++i)
         QCOMPARE_LT(difference(pictures[i], pictureAt(int(i)).pixels, kWidth), cost);
     QCOMPARE_GT(difference(pictures[1], pictureAt(2).pixels, kWidth), 2 * cost);
+}
+
+// What is large and even has its shading in every picture, whatever is beside it and comes later: no part of
+// it has another tint than the rest.
+void TestVideo::aBodyKeepsItsShadingBesideAPlot() {
+    const QString file = folder_.filePath("window.gif");
+    auto video = beginVideo(file.toStdString(), kWide, kHigh);
+    VERIFY_RESULT(video);
+    constexpr int kSteps = 9;
+    for (int i = 0; i < kSteps; ++i)
+        VERIFY_RESULT((*video)->add(windowAt(i), i / 10.0));
+    VERIFY_RESULT((*video)->finish(1));
+    const auto pictures = decoded(file, kWide, kHigh);
+    QCOMPARE(pictures.size(), std::size_t(kSteps));
+    for (int i = 0; i < kSteps; ++i) {
+        const Difference found = differenceOf(pictures[std::size_t(i)], windowAt(i).pixels, kWide);
+        QCOMPARE_LT(found.mean, 0.5);
+        QCOMPARE_LT(found.worst, 2.0);
+    }
 }
 
 /// As after a crash: what was handed to the operating system is in the file.
