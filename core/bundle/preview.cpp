@@ -5,9 +5,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "core/files/images/write_png.h"
+#include "core/surface/smooth_normals.h"
 
 namespace tactum {
 namespace {
@@ -18,6 +21,17 @@ Mat3 viewRotation() {
         .toRotationMatrix();
 }
 
+/// How bright it is where it has a normal, as the picture has it; its two sides look alike.
+double lightOn(const Vec3& n) {
+    static const Vec3 kLamp = Vec3(-0.3, 0.6, 0.74).normalized();
+    return 0.15 + 0.85 * std::abs(n.dot(kLamp));
+}
+
+struct Corner {
+    Vec3 place;  ///< in pixels, z toward the eye
+    Vec3 normal; ///< as the picture has it; of any length
+};
+
 /// Light values from 0 to 1, and how near to the eye each pixel's surface is.
 class Picture {
 public:
@@ -25,8 +39,8 @@ public:
         : width_(width), height_(height), colour_(std::size_t(width) * std::size_t(height), kBackground),
           depth_(colour_.size(), -std::numeric_limits<double>::infinity()) {}
 
-    /// Corners in pixels, z toward the eye.
-    void draw(const std::array<Vec3, 3>& t, const Eigen::Vector3d& colour) {
+    void draw(const std::array<Corner, 3>& corners, const Eigen::Vector3d& colour) {
+        const std::array<Vec3, 3> t{corners[0].place, corners[1].place, corners[2].place};
         const double area = cross(t[1] - t[0], t[2] - t[0]);
         if (std::abs(area) < 1e-12) return;
         const auto [left, right] = range(t, 0, width_);
@@ -36,7 +50,12 @@ public:
                 const Vec3 p(x + 0.5, y + 0.5, 0);
                 const double b = cross(p - t[0], t[2] - t[0]) / area, c = cross(t[1] - t[0], p - t[0]) / area;
                 if (b < 0 || c < 0 || b + c > 1) continue;
-                put(x, y, t[0].z() + b * (t[1].z() - t[0].z()) + c * (t[2].z() - t[0].z()), colour);
+                const auto between = [&](auto Corner::*what) {
+                    return ((1 - b - c) * corners[0].*what + b * corners[1].*what + c * corners[2].*what)
+                        .eval();
+                };
+                put(x, y, between(&Corner::place).z(),
+                    lightOn(between(&Corner::normal).normalized()) * colour);
             }
     }
 
@@ -70,10 +89,17 @@ private:
     std::vector<double> depth_;
 };
 
-/// How bright a facet is, its normal as the picture has it; its two sides look alike.
-double lightOn(const Vec3& n) {
-    static const Vec3 kLamp = Vec3(-0.3, 0.6, 0.74).normalized();
-    return 0.15 + 0.85 * std::abs(n.dot(kLamp));
+/// Three to a triangle, as it feels or as the file has them; empty where facets are flat.
+std::vector<std::span<const Eigen::Vector3f>>
+normalsOf(const SceneObject& object, std::vector<std::shared_ptr<const SmoothNormals>>& made) {
+    std::vector<std::span<const Eigen::Vector3f>> normals;
+    for (const Surface& surface : object.surfaces) {
+        std::shared_ptr<const SmoothNormals> of;
+        if (const auto compiled = compileNormals(surface.shading, object.geometry, made)) of = *compiled;
+        normals.push_back(of ? of->corners : std::span(object.geometry->cornerNormals));
+        if (of) made.push_back(of);
+    }
+    return normals;
 }
 
 } // namespace
@@ -101,18 +127,25 @@ std::vector<std::uint16_t> Preview::draw(const Scene& scene) const {
     for (const SceneObject& object : scene.objects) {
         if (!object.visible) continue;
         const TriangleSoup& soup = *object.geometry;
+        std::vector<std::shared_ptr<const SmoothNormals>> made;
+        const auto normals = normalsOf(object, made);
         for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
             const Surface& surface = object.surfaces[soup.surfaceOf[f]];
             if (!surface.visible) continue;
-            std::array<Vec3, 3> corner;
+            std::array<Vec3, 3> places;
             for (std::size_t i = 0; i < 3; ++i)
-                corner[i] = object.pose.apply(soup.positions[soup.triangles[f][i]]);
-            const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-            if (normal.norm() == 0) continue;
-            const Eigen::Vector3d colour = surface.colour.cast<double>();
-            for (Vec3& p : corner)
-                p = pixel(p);
-            picture.draw(corner, lightOn(turn_ * normal.normalized()) * colour);
+                places[i] = object.pose.apply(soup.positions[soup.triangles[f][i]]);
+            const Vec3 flat = (places[1] - places[0]).cross(places[2] - places[0]);
+            if (flat.norm() == 0) continue;
+            const auto smooth = normals[soup.surfaceOf[f]];
+            std::array<Corner, 3> corners;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Vec3 normal = smooth.empty()
+                                        ? flat.normalized()
+                                        : object.pose.rotate(smooth[3 * f + i].cast<double>().eval());
+                corners[i] = {pixel(places[i]), turn_ * normal};
+            }
+            picture.draw(corners, surface.colour.cast<double>());
         }
     }
     return picture.values();

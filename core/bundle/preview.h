@@ -9,7 +9,8 @@
 
 namespace tactum {
 
-/// One place to look from, for several pictures: from the front, right and above, in plain shading. Thread:
+/// One place to look from, for several pictures: from the front, right and above, lit by one lamp,
+/// round where the surface feels round or the file has normals. Thread:
 /// any but real time.
 class Preview {
 public:

@@ -67,8 +67,10 @@ std::string table(const Row& head, const std::vector<Row>& rows) {
     return text + "</tbody>\n</table>\n";
 }
 
-std::string picture(std::string_view mimeType, std::string_view bytes, std::string_view alt, int width) {
-    return "<p><img width=\"" + std::to_string(width) + "\" alt=\"" + escaped(alt) +
+std::string picture(std::string_view mimeType, std::string_view bytes, std::string_view alt, int width,
+                    int height) {
+    const std::string high = height > 0 ? "\" height=\"" + std::to_string(height) : "";
+    return "<p><img width=\"" + std::to_string(width) + high + "\" alt=\"" + escaped(alt) +
            "\" src=\"data:" + std::string(mimeType) + ";base64," + base64Of(bytes) + "\"></p>\n";
 }
 

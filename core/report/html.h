@@ -19,8 +19,10 @@ using Row = std::vector<std::string>;
 /// `head`: what the columns are. The first cell of a row says what it is of. Nothing where there are no rows.
 std::string table(const Row& head, const std::vector<Row>& rows);
 
-/// `alt`: what is to be seen. `width`: pixels on the page.
-std::string picture(std::string_view mimeType, std::string_view bytes, std::string_view alt, int width);
+/// `alt`: what is to be seen. `width`, `height`: pixels on the page; 0: as many as the picture has itself,
+/// which who prints takes where the width is another one.
+std::string picture(std::string_view mimeType, std::string_view bytes, std::string_view alt, int width,
+                    int height = 0);
 
 /// At most six digits: more than a person reads.
 std::string readable(double value);

@@ -55,10 +55,18 @@ std::string wordsOf(const Reach& reach) {
     return reach.mode == ReachMode::Rate ? words + ", " + readable(1e3 * reach.shell) + " mm" : words;
 }
 
+std::string pictureOf(const ReportSubject& subject) {
+    if (const ReportPicture& seen = subject.picture; !seen.png.empty())
+        return picture("image/png", seen.png, "The scene, as it was seen", kPictureWidth,
+                       kPictureWidth * seen.height / seen.width);
+    return picture("image/png", previewOf(subject.scene, kPictureWidth, kPictureHeight),
+                   "The scene, seen from the front, the right and above", kPictureWidth);
+}
+
 std::string beginning(const ReportSubject& subject, const SceneDescription& scene) {
     const std::string unsaved = "the scene is not saved as it is here";
     return heading(1, subject.name) +
-           table({"what", "is"},
+           table({"property", "value"},
                  {{"File's SHA-256", subject.fingerprint.empty() ? unsaved : subject.fingerprint},
                   {"Written by", "Tactum " + subject.version},
                   {"Date", subject.date},
@@ -67,8 +75,7 @@ std::string beginning(const ReportSubject& subject, const SceneDescription& scen
                   {"Size", sizeOf(scene.bounds_W)},
                   {"Proxy radius", readable(1e3 * subject.scene.proxyRadius) + " mm"},
                   {"Reach of the hand", wordsOf(subject.scene.reach)}}) +
-           picture("image/png", previewOf(subject.scene, kPictureWidth, kPictureHeight),
-                   "The scene, seen from the front, the right and above", kPictureWidth);
+           pictureOf(subject);
 }
 
 /// Object, surface, and then what is said of it.
@@ -152,7 +159,7 @@ std::string deviceSection(const std::optional<ReportDevice>& device) {
     add("Largest force", device->maxForce, " N");
     add("Stiffness by its maker, at 1 kHz", device->maxStiffness, " N/m");
     add("Stiffness ceiling; stiffer surfaces are clamped to it", device->stiffnessCeiling, " N/m");
-    return heading(2, "Device") + table({"what", "is"}, rows);
+    return heading(2, "Device") + table({"property", "value"}, rows);
 }
 
 std::string forces(const Scene& scene, const World& world) {

@@ -23,6 +23,12 @@ struct ReportDevice {
     double stiffnessCeiling = 0; ///< N/m, what the guard lets through now
 };
 
+/// Of the scene as somebody sees it. Without any it is drawn as previewOf() does.
+struct ReportPicture {
+    std::string png;
+    int width = 0, height = 0; ///< pixels
+};
+
 struct ReportSubject {
     const Scene& scene;
     std::string name;                  ///< of its file
@@ -32,6 +38,7 @@ struct ReportSubject {
     std::span<const Finding> found{};  ///< by who read the file
     std::span<const Preset> presets{}; ///< whose sources are told where a surface has their values
     std::optional<ReportDevice> device{};
+    ReportPicture picture{};
 };
 
 /// The endings of reports as files.

@@ -1,6 +1,8 @@
 #include "ui/controllers/report_controller.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
+#include <QImage>
 
 #include "core/archive/sha256.h"
 #include "ui/base/ask_where.h"
@@ -10,6 +12,7 @@
 #include "ui/document/recent_files.h"
 #include "ui/engine/guard_watch.h"
 #include "ui/showing/report_file.h"
+#include "ui/view/scene_view.h"
 #include "ui/widgets/notice_bar.h"
 
 namespace tactum {
@@ -28,7 +31,20 @@ void ReportController::ask() {
     if (!file.isEmpty()) write(file);
 }
 
-/// Of the scene as it is now, on a worker.
+namespace {
+/// As a page shows it sharply.
+ReportPicture pictureOf(const QImage& picture) {
+    constexpr int kWidest = 1280;
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    const QImage fits =
+        picture.width() > kWidest ? picture.scaledToWidth(kWidest, Qt::SmoothTransformation) : picture;
+    fits.save(&buffer, "PNG");
+    return {bytes.toStdString(), fits.width(), fits.height()};
+}
+} // namespace
+
+/// Of the scene as it is and is seen now, on a worker.
 void ReportController::write(const QString& file) {
     const bool saved = !bench_.document.modified() && !bench_.document.path().empty();
     const DeviceInfo& info = bench_.engine.device();
@@ -42,10 +58,11 @@ void ReportController::write(const QString& file) {
     job->start([this, file, device, scene = std::make_shared<const Scene>(bench_.document.scene()),
                 title = bench_.document.title().toStdString(), found = bench_.document.findings(),
                 source = saved ? bench_.document.path() : std::filesystem::path(),
+                seen = pictureOf(bench_.view.grabWithoutHandles()),
                 version = QCoreApplication::applicationVersion().toStdString()](const Progress& progress) {
         const std::vector<Preset> presets = PresetStore::readAll();
-        const ReportSubject subject{*scene,  title, fingerprintOf(source), version, reportDate(), found,
-                                    presets, device};
+        const ReportSubject subject{
+            *scene, title, fingerprintOf(source), version, reportDate(), found, presets, device, seen};
         const auto written = writeReportFile(subject, file.toStdU16String(), progress);
         return BackgroundJob::Delivery([this, file, written] {
             bench_.notice.endProgress();

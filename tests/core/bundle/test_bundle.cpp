@@ -1,6 +1,7 @@
 // A bundle: the same bytes for the same scene, the forces that it promises, and no changed file unnoticed.
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -236,6 +237,38 @@ private slots:
         for (const TouchRow& row : replay(**world, sampleStroke(**world)))
             touching += row.contacts > 0;
         QCOMPARE_GT(touching, 2000); // the two seconds of the circle, and more
+    }
+
+    // Of an octahedron four facets are seen, each of one brightness; with the normals of a ball it is round.
+    void thePreviewIsRoundWhereTheModelIs() {
+        TriangleSoup soup;
+        for (const double side : {1.0, -1.0})
+            for (int axis = 0; axis < 3; ++axis)
+                soup.positions.push_back(0.05 * side * Vec3::Unit(axis));
+        for (Index i = 0; i < 8; ++i) {
+            const Index x = i & 1 ? 3 : 0, y = i & 2 ? 4 : 1, z = i & 4 ? 5 : 2;
+            const bool odd = (i ^ i >> 1 ^ i >> 2) & 1; // all with their front outside
+            soup.triangles.push_back({x, odd ? z : y, odd ? y : z});
+            soup.surfaceOf.push_back(0);
+        }
+        const auto shades = [&](const TriangleSoup& of, bool shaded) {
+            Scene scene;
+            SceneObject object;
+            object.geometry = std::make_shared<TriangleSoup>(of);
+            object.surfaces.resize(1);
+            object.surfaces[0].shading.on = shaded;
+            object.surfaces[0].shading.normals = NormalSource::Computed;
+            object.surfaces[0].shading.creaseAngle = 3;
+            scene.add(object);
+            const auto values = Preview(scene, 64, 48).draw(scene);
+            return std::set(values.begin(), values.end()).size();
+        };
+        QCOMPARE_LE(shades(soup, false), std::size_t(3 * 5));
+        QCOMPARE_GT(shades(soup, true), std::size_t(100)); // as it is felt
+        for (const auto& triangle : soup.triangles)
+            for (const Index corner : triangle)
+                soup.cornerNormals.push_back(soup.positions[corner].normalized().cast<float>());
+        QCOMPARE_GT(shades(soup, false), std::size_t(100)); // as the file has it
     }
 
     void thePreviewShowsTheScene() {

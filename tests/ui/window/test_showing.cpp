@@ -289,6 +289,17 @@ void TestShowing::aReportIsWritten() {
     COMPARE_CONTAINS(page, "Stiffness ceiling");
     QCOMPARE(page.count("by default"), 6);
     COMPARE_LACKS(page, "not saved as it is here");
+    // Its picture is the view's: as wide for its height, and with the model's colour in the middle.
+    const QByteArray begin = "data:image/png;base64,";
+    const qsizetype at = page.indexOf(begin) + begin.size();
+    const QImage inReport =
+        QImage::fromData(QByteArray::fromBase64(page.mid(at, page.indexOf('"', at) - at)), "PNG");
+    SceneView& view = program.window->view();
+    QVERIFY(!inReport.isNull());
+    COMPARE_NEAR(double(inReport.width()) / inReport.height(), double(view.width()) / view.height(), 0.01,
+                 "width to height");
+    QCOMPARE(inReport.pixelColor(inReport.rect().center()),
+             view.grabWithoutHandles().scaled(inReport.size()).pixelColor(inReport.rect().center()));
 
     // On paper nothing is stretched, as another reader finds it: as many dots to an inch across as along.
     answerFileDialog(file("report.pdf"));
