@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <QImage>
 #include <QPainter>
@@ -13,20 +14,24 @@ namespace tactum {
 namespace {
 
 constexpr double kSide = 92, kReach = 31, kBall = 9, kAxesCorner = 8;
+constexpr double kRoom =
+    200; ///< of a pane that has one: it would fill a smaller one, whose name says how it looks
 
 struct AxisEnd {
+    Vec3 axis;
     QString letter; ///< empty at the negative end
     QColor colour;
     QPointF tip;  ///< from the centre of the cross
     double depth; ///< away from the eye
 };
 
+/// The farthest first.
 std::array<AxisEnd, 6> axisEnds(const ViewCamera& camera, const Theme& theme) {
     const std::array<QColor, 3> colours{theme.axisX, theme.axisY, theme.axisZ};
     std::array<AxisEnd, 6> ends;
     for (int i = 0; i < 6; ++i) {
         const Vec3 axis = (i < 3 ? 1 : -1) * Vec3::Unit(i % 3);
-        ends[i] = {i < 3 ? QString("XYZ"[i]) : QString(), colours[i % 3],
+        ends[i] = {axis, i < 3 ? QString("XYZ"[i]) : QString(), colours[i % 3],
                    kReach * QPointF(axis.dot(camera.right()), -axis.dot(camera.up())),
                    axis.dot(camera.forward())};
     }
@@ -58,6 +63,19 @@ void drawEnd(QPainter& painter, const AxisEnd& end, const Theme& theme) {
 QRectF axesPlace(QSizeF view, const QRegion& covered) {
     const QRectF corner(view.width() - kSide - kAxesCorner, kAxesCorner, kSide, kSide);
     return belowCovers(corner, view.height(), covered);
+}
+
+bool hasAxes(QSizeF pane, bool divided) {
+    return !divided || std::min(pane.width(), pane.height()) >= kRoom;
+}
+
+std::optional<Vec3> axisAt(QPointF place, const ViewCamera& camera, const QRegion& covered) {
+    const QPointF from = place - axesPlace(camera.size, covered).center();
+    const auto ends = axisEnds(camera, themeFor(true)); // whatever their colours
+    const auto hit = std::find_if(ends.rbegin(), ends.rend(), [&](const AxisEnd& end) {
+        return std::hypot(from.x() - end.tip.x(), from.y() - end.tip.y()) <= kBall;
+    });
+    return hit == ends.rend() ? std::nullopt : std::optional(hit->axis);
 }
 
 void drawAxes(QPainter& painter, const ViewCamera& camera, const Theme& theme, const QRegion& covered) {

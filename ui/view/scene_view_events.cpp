@@ -9,6 +9,7 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include "ui/view/axes_gizmo.h"
 #include "ui/view/scene_view_impl.h"
 
 namespace tactum {
@@ -53,6 +54,10 @@ void SceneView::Impl::pressLeft(QPointF cursor, bool alt) {
     const auto region = std::exchange(regionNext, std::nullopt);
     drag = !region ? ViewDrag::Orbit : region == RegionShape::Box ? ViewDrag::Box : ViewDrag::Lasso;
     lasso = QPolygonF({cursor});
+    if (const auto axis = axisUnder(cursor); axis && !region && !alt) {
+        drag = ViewDrag::None;
+        return lookAlong(*axis);
+    }
     // A measure begins at what is seen there, also behind a handle.
     if (region || alt || (tool != ViewTool::Measure && takeHandles(cursor))) return;
     if (brushes()) drag = ViewDrag::Brush;
@@ -60,6 +65,20 @@ void SceneView::Impl::pressLeft(QPointF cursor, bool alt) {
     const auto hit = pick(cursor, ScenePicker::Patience::Wait);
     if (tool == ViewTool::Touch && (hit || isNearFinger(cursor))) takeHold(cursor, hit);
     if (tool == ViewTool::Paint && hit) drag = ViewDrag::Paint;
+}
+
+std::optional<Vec3> SceneView::Impl::axisUnder(QPointF cursor) const {
+    const ViewPane& in = panes[panes.active()];
+    if (!hasAxes(in.camera.size, panes.isDivided())) return std::nullopt;
+    return axisAt(cursor, in.camera, coveredIn(in));
+}
+
+/// From its end, at the same focus, as far away.
+void SceneView::Impl::lookAlong(const Vec3& axis) {
+    ViewCamera to = camera();
+    to.yaw = std::atan2(axis.x(), axis.z());
+    to.pitch = std::asin(axis.y());
+    view.flyTo(to);
 }
 
 void SceneView::Impl::strokeTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
@@ -193,6 +212,7 @@ void SceneView::Impl::showCursor(QPointF cursor) {
     if (const auto lines = linesUnder(cursor)) return view.setCursor(shapeOf(lines));
     if (hand.grip() != Grip::None) return view.setCursor(lags() ? Qt::BlankCursor : Qt::ClosedHandCursor);
     if (regionNext || drawsRegion() || brushes()) return view.setCursor(Qt::CrossCursor);
+    if (drag == ViewDrag::None && axisUnder(cursor)) return view.setCursor(Qt::PointingHandCursor);
     const auto under = [&](const ViewHandles* each) { return each->isUnder(cursor, camera()); };
     if (drag == ViewDrag::Handles || std::ranges::any_of(handles, under))
         return view.setCursor(Qt::SizeAllCursor);
@@ -208,7 +228,7 @@ void SceneView::Impl::zoomAt(QPointF cursor, double notches) {
     const Vec3 anchor = hit                    ? hit->point
                         : manners.zoomToCursor ? camera().pointAtDepthOf(camera().focus, cursor)
                                                : camera().focus;
-    const double size = std::max(picker.bounds().diagonal(), 1e-6);
+    const double size = extent();
     const double wanted = std::pow(kZoomPerNotch, manners.zoomSpeed * notches);
     const double distance = std::clamp(camera().distance * wanted, 0.01 * size, 50 * size);
     camera().zoomTo(anchor, distance / camera().distance);

@@ -12,6 +12,7 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/window_fixture.h"
+#include "ui/base/style.h"
 #include "ui/view/scene_view.h"
 
 namespace test_cameras {
@@ -75,6 +76,7 @@ private slots:
     void theProjectionComesBack();
     void whatACameraBringsIsNoChoice();
     void theyAreInTheFile();
+    void aClickOnAnAxisLooksAlongIt();
 };
 
 void TestCameras::aViewIsKeptAndComesBack() {
@@ -230,6 +232,51 @@ void TestCameras::theyAreInTheFile() {
     program.window->view().showStandardView(StandardView::Top);
     choose(program, {"mine"});
     QTRY_COMPARE_LT_WITH_TIMEOUT(apart(seen(program), before), 1e-3, kPatience);
+}
+
+// Where an end of the cross is, the picture says. A click there is no click beside the model.
+void TestCameras::aClickOnAnAxisLooksAlongIt() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    program.command("select").trigger();
+    const SceneView& view = program.window->view();
+    const auto ballOf = [&](const QColor& colour) {
+        const QImage picture = program.window->grab(program.placeOf(view)).toImage();
+        const qreal ratio = picture.devicePixelRatio();
+        QPointF sum;
+        int count = 0;
+        for (int y = 0; y < int(160 * ratio); ++y)
+            for (int x = picture.width() - int(100 * ratio); x < picture.width(); ++x)
+                if (picture.pixelColor(x, y) == colour) {
+                    sum += QPointF(x, y);
+                    ++count;
+                }
+        return count == 0 ? QPoint() : (sum / (count * ratio)).toPoint();
+    };
+    const auto click = [&](QPoint at) {
+        program.moveTo(at);
+        program.press(at);
+        program.release(at);
+    };
+    program.frames(5);
+    const std::pair<QColor, Vec3> axes[] = {
+        {theme().axisY, Vec3::UnitY()}, {theme().axisX, Vec3::UnitX()}, {theme().axisZ, Vec3::UnitZ()}};
+    for (const auto& [colour, axis] : axes) {
+        program.command("view-isometric").trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(view.camera().forward().y() < -0.5, kPatience);
+        program.frames(5);
+        const auto selected = program.document.selected();
+        QVERIFY(!selected.empty());
+        const Vec3 focus = view.camera().focus;
+        const double distance = view.camera().distance;
+        const QPoint ball = ballOf(colour);
+        QVERIFY(!ball.isNull());
+        click(ball);
+        QTRY_VERIFY_WITH_TIMEOUT((view.camera().forward() + axis).norm() < 1e-6, kPatience);
+        COMPARE_NEAR((view.camera().focus - focus).norm(), 0, 1e-9, "m");
+        COMPARE_NEAR(view.camera().distance, distance, 1e-9, "m");
+        QVERIFY2(program.document.selected() == selected, "a click on the cross selects nothing");
+    }
 }
 
 TACTUM_GUI_TEST(TestCameras)
