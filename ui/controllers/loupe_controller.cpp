@@ -40,7 +40,7 @@ LoupeController::LoupeController(const Workbench& bench)
     useLook();
 }
 
-void LoupeController::show(const QImage& picture, QPointF contact) {
+void LoupeController::show(const QImage& picture, QPointF contact, const QString& pane) {
     open_ = true;
     if (!loupe_) {
         loupe_ = new Loupe(&body_);
@@ -50,7 +50,7 @@ void LoupeController::show(const QImage& picture, QPointF contact) {
         });
         useLook();
     }
-    loupe_->setPicture(picture);
+    loupe_->setPicture(picture, pane);
     place(contact);
 }
 

@@ -20,7 +20,7 @@ public:
     explicit LoupeController(const Workbench& bench);
 
 private:
-    void show(const QImage& picture, QPointF contact);
+    void show(const QImage& picture, QPointF contact, const QString& pane);
     void place(QPointF contact);
     /// From the axes to the foot, as far as nothing lies there; in the view.
     QRect column(int side) const;

@@ -24,10 +24,19 @@ namespace {
 
 /// A scene lower than this part of its width is a plate in the ground.
 constexpr double kFlat = 0.03;
-constexpr double kReach = 1.1;  ///< of the grid about its middle, in sides of the shadow's square
-constexpr double kSlant = 1e-3; ///< of parallel rays: less is from the side
-constexpr int kPieces = 24;     ///< of a line, between which it fades
+constexpr double kEmptySide = 0.2; ///< m: of the ground of an empty scene, as large as what is built by hand
+constexpr double kReach = 1.1;     ///< of the grid about its middle, in sides of the shadow's square
+constexpr double kSlant = 1e-3;    ///< of parallel rays: less is from the side
+constexpr int kPieces = 24;        ///< of a line, between which it fades
 constexpr double kLine = 26, kTenthLine = 60; ///< opacity in the middle, of 255
+
+/// Where there is nothing yet, about the origin.
+GroundShadow emptyGround() {
+    GroundShadow ground;
+    ground.side = kEmptySide;
+    ground.corner = {-0.5 * kEmptySide, 0, -0.5 * kEmptySide};
+    return ground;
+}
 
 vtkSmartPointer<vtkTexture> textureOf(const GroundShadow& ground) {
     vtkNew<vtkImageData> image;
@@ -166,17 +175,18 @@ bool GroundLayer::takeFinished() {
 
 void GroundLayer::show() {
     const Bounds& box = ground_.casters;
-    const double width = ground_.side, height = box.empty() ? 0 : box.high.y() - box.low.y();
-    step_ = 0;
-    if (height > kFlat * width) layOut(width);
+    if (box.empty()) ground_ = emptyGround();
+    const bool flat = !box.empty() && box.high.y() - box.low.y() <= kFlat * ground_.side;
+    step_ = flat ? 0 : gridStep(ground_.side);
+    if (step_ > 0) layOut();
     showSheets();
 }
 
-void GroundLayer::layOut(double width) {
-    step_ = gridStep(width);
+void GroundLayer::layOut() {
+    drawGrid();
+    if (ground_.texels == 0) return;
     shadowMapper_->SetInputData(squareOf(ground_));
     shadow_->SetTexture(textureOf(ground_));
-    drawGrid();
 }
 
 void GroundLayer::drawGrid() {
@@ -194,7 +204,7 @@ void GroundLayer::setShown(bool shown, bool shadow) {
 
 void GroundLayer::showSheets() {
     grid_->SetVisibility(shown_ && step_ > 0);
-    shadow_->SetVisibility(grid_->GetVisibility() && shadowShown_);
+    shadow_->SetVisibility(grid_->GetVisibility() && shadowShown_ && ground_.texels > 0);
 }
 
 int GroundLayer::Sheet::RenderTranslucentPolygonalGeometry(vtkViewport* viewport) {

@@ -17,7 +17,8 @@
 namespace tactum {
 
 /// One textured square and lines, seen from above alone. Shadows are made aside; until then the ones from
-/// before stay. There is no ground under a scene that is as good as flat and lies in it. Thread: ui.
+/// before stay. There is no ground under a scene that is as good as flat and lies in it, and a grid
+/// about the origin for an empty one. Thread: ui.
 class GroundLayer {
 public:
     explicit GroundLayer(vtkRenderer& renderer);
@@ -55,11 +56,12 @@ private:
     void start();
     void show();
     void showSheets();
-    void layOut(double width);
+    void layOut();
     void drawGrid();
 
     Aside<std::optional<GroundShadow>> work_;
-    Wish wanted_, started_;
+    Wish wanted_;
+    std::optional<Wish> started_;
     GroundShadow ground_;
     vtkNew<vtkPolyDataMapper> shadowMapper_, gridMapper_;
     vtkNew<Sheet> shadow_, grid_;

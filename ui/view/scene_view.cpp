@@ -102,6 +102,11 @@ void SceneView::Impl::spareTime(PictureQuality quality) {
     if (smoothed && !budget.known()) stage.solid->forget(); // to see what it takes
 }
 
+double SceneView::Impl::extent() const {
+    constexpr double kOfNothing = 0.2, kLeast = 1e-6; // m: that of the grid on empty ground
+    return picker.bounds().empty() ? kOfNothing : std::max(picker.bounds().diagonal(), kLeast);
+}
+
 Bounds SceneView::Impl::shownTo(const ViewCamera& camera) const {
     Bounds box = picker.bounds();
     if (const Bounds below = ground.bounds(camera); !below.empty()) {
@@ -429,7 +434,7 @@ void SceneView::moveCamera(double yaw, double pitch, double nearer) {
     ViewCamera& camera = impl_->camera();
     camera.yaw = std::remainder(camera.yaw + yaw, 2 * std::numbers::pi);
     camera.pitch = std::clamp(camera.pitch + pitch, -0.5 * std::numbers::pi, 0.5 * std::numbers::pi);
-    const double size = std::max(impl_->picker.bounds().diagonal(), 1e-6);
+    const double size = impl_->extent();
     camera.distance = std::clamp(nearer * camera.distance, 0.01 * size, 50 * size);
     changed();
 }

@@ -293,9 +293,9 @@ signals:
     void handGoalMoved(tactum::Vec3 goal_W, double time);
     /// Something of the drop types was let go over a surface; `data` lives until the signal returns.
     void droppedOn(tactum::SurfaceRef surface, const QMimeData& data);
-    /// The contact from nearby, again and again while something is touched, and where it is in the view; and
-    /// nothing was for a moment.
-    void loupeDrawn(const QImage& picture, QPointF contact);
+    /// The contact from nearby, again and again while something is touched, where it is in the view, and the
+    /// name of the pane that it is seen from, empty while the view is whole; and nothing was for a moment.
+    void loupeDrawn(const QImage& picture, QPointF contact, const QString& pane);
     void loupeLeft();
     /// The mouse took hold of the finger, or let it go.
     void handGrabbed(bool grabbed);

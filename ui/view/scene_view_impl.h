@@ -42,6 +42,8 @@ struct SceneView::Impl {
     Coarse coarseInMotion() const;
     /// All that must not be clipped away for a camera.
     Bounds shownTo(const ViewCamera& camera) const;
+    /// What distances of the camera are measured by: from one corner of the scene to the other, m.
+    double extent() const;
     /// Of the active pane: what the mouse and the keys act upon.
     ViewCamera& camera() { return panes[panes.active()].camera; }
     const ViewCamera& camera() const { return panes[panes.active()].camera; }
@@ -105,6 +107,8 @@ struct SceneView::Impl {
     void release(QPointF cursor, Qt::KeyboardModifiers modifiers);
     /// Takes the handle under the cursor, if there is one.
     bool takeHandles(QPointF cursor);
+    std::optional<Vec3> axisUnder(QPointF cursor) const;
+    void lookAlong(const Vec3& axis);
     void grabbed(ViewHandles& which);
     void leadHandles(QPointF cursor, Qt::KeyboardModifiers modifiers);
     void giveUpHandles();

@@ -1,4 +1,5 @@
 // When the view draws the contact from nearby, and when it does not any more.
+#include "ui/view/pane_mark.h"
 #include "ui/view/scene_view_impl.h"
 
 namespace tactum {
@@ -71,7 +72,8 @@ void SceneView::Impl::drawLoupe() {
     if (quick) loupe->pause = loupePause(std::chrono::steady_clock::now() - before);
     view.doneCurrent();
     const QPointF contact = from.camera.project(touch->proxy).value_or(QPointF());
-    emit view.loupeDrawn(picture, contact + from.place.topLeft());
+    emit view.loupeDrawn(picture, contact + from.place.topLeft(),
+                         panes.isDivided() ? paneName(panes.used(), from.camera) : QString());
 }
 
 } // namespace tactum

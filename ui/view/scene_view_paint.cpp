@@ -15,8 +15,6 @@
 namespace tactum {
 
 namespace {
-/// The cross of the axes would fill what is smaller, and the name says how it looks.
-constexpr int kRoomForAxes = 200;
 const QPointF kNoCursor(-1e6, -1e6);
 } // namespace
 
@@ -24,15 +22,16 @@ const QPointF kNoCursor(-1e6, -1e6);
 void SceneView::Impl::drawRegion(QPainter& painter) const {
     if (brushes() && pointer) drawSelectBrush(painter, pane().inside(*pointer), *selectBrush, theme());
     if (!drawsRegion()) return;
+    const QPolygonF line =
+        drag == ViewDrag::Box ? QPolygonF(QRectF(pressedAt, cursorAt).normalized()) : lasso;
     QColor fill = theme().accent;
-    painter.setPen(fill);
     fill.setAlphaF(0.15f);
     painter.setBrush(fill);
-    if (drag == ViewDrag::Box)
-        painter.drawRect(QRectF(pressedAt, cursorAt).normalized());
-    else
-        painter.drawPolygon(lasso, Qt::WindingFill);
+    painter.setPen(QPen(theme().label, 3)); // in front of what is selected, too, which has the fill's colour
+    painter.drawPolygon(line, Qt::WindingFill);
     painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme().labelText, 1, Qt::DashLine));
+    painter.drawPolygon(line);
 }
 
 void SceneView::Impl::drawHandles(QPainter& painter, const ViewPane& in) const {
@@ -62,8 +61,7 @@ void SceneView::Impl::drawWords(QPainter& painter, const ViewPane& in, double be
 void SceneView::Impl::drawPane(QPainter& painter, std::size_t number) const {
     const ViewPane& in = panes[number];
     const bool active = number == panes.active(), marked = active && handlesDrawn;
-    const double room = std::min(in.camera.size.width(), in.camera.size.height());
-    if (!panes.isDivided() || room >= kRoomForAxes) drawAxes(painter, in.camera, theme(), coveredIn(in));
+    if (hasAxes(in.camera.size, panes.isDivided())) drawAxes(painter, in.camera, theme(), coveredIn(in));
     if (active) {
         drawRegion(painter);
         if (brushAt) drawBrushRing(painter, *brushAt, brush, in.camera, theme());

@@ -1,6 +1,7 @@
 #include "ui/widgets/loupe.h"
 
 #include <cmath>
+#include <utility>
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -27,15 +28,22 @@ Loupe::Loupe(QWidget* parent) : QWidget(parent) {
     hide();
 }
 
-void Loupe::setPicture(const QImage& picture) {
+void Loupe::setPicture(const QImage& picture, const QString& pane) {
     picture_ = picture;
+    if (std::exchange(pane_, pane) != pane) showWords();
     update();
 }
 
 void Loupe::setTimes(double times) {
-    setAccessibleDescription(
-        tr("%1 times as large").arg(numberText(times, times == std::round(times) ? 0 : 1)));
+    times_ = times;
+    showWords();
     update();
+}
+
+void Loupe::showWords() {
+    const QString times =
+        tr("%1 times as large").arg(numberText(times_, times_ == std::round(times_) ? 0 : 1));
+    setAccessibleDescription(pane_.isEmpty() ? times : QStringLiteral("%1: %2").arg(pane_, times));
 }
 
 void Loupe::paintEvent(QPaintEvent*) {

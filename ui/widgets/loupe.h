@@ -12,7 +12,8 @@ class Loupe : public QWidget {
 public:
     explicit Loupe(QWidget* parent);
 
-    void setPicture(const QImage& picture);
+    /// `pane`: the name of what is seen from nearby, where there are several; empty: there is one view.
+    void setPicture(const QImage& picture, const QString& pane = {});
     const QImage& picture() const { return picture_; }
     /// How many times as large as in the view the picture is.
     void setTimes(double times);
@@ -30,7 +31,11 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
 
 private:
+    void showWords();
+
     QImage picture_;
+    QString pane_;
+    double times_ = 1;
 };
 
 } // namespace tactum

@@ -137,6 +137,24 @@ private slots:
         QCOMPARE(sumOf(shadowBeneath({ballAt(0, true)}, true)), 0);
     }
 
+    // Where nothing is yet there is a ground to put something on, without any shadow.
+    void anEmptySceneHasAGrid() {
+        GroundView shown{Scene()};
+        COMPARE_NEAR(shown.view.gridStep(), 0.01, 1e-12, "m");
+        shown.view.showStandardView(StandardView::Isometric);
+        const QImage with = shown.picture();
+        shown.ground(false);
+        QCOMPARE(shown.view.gridStep(), 0.0);
+        QVERIFY2(with != shown.picture(), "no line of it is seen");
+        shown.ground(true);
+        shown.scene = ballScene();
+        shown.show();
+        COMPARE_NEAR(shown.view.gridStep(), gridStep(shadowBeneath({ballAt(0)}).side), 1e-12, "m");
+        shown.scene = {};
+        shown.show();
+        COMPARE_NEAR(shown.view.gridStep(), 0.01, 1e-12, "m");
+    }
+
     void whatIsHiddenCastsNone() {
         ShadowCaster ball = ballAt(0);
         ball.seen = {false, false};

@@ -6,6 +6,7 @@
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "tests/ui/window/divided_window.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/view/scene_view.h"
 #include "ui/widgets/loupe.h"
@@ -181,6 +182,30 @@ private slots:
             opened.program.release(at);
             QTRY_VERIFY_WITH_TIMEOUT(!opened.isSeen(), kPatience);
         }
+    }
+
+    // It may stand over any pane: it says which one it shows from nearby.
+    void inADividedViewItNamesItsPane() {
+        Divided divided;
+        divided.program.command("loupe").trigger();
+        const auto line = [&] {
+            const auto* loupe = divided.program.window->findChild<Loupe*>();
+            return loupe && loupe->isVisible() ? loupe->accessibleDescription() : QString();
+        };
+        const auto touch = [&](std::size_t pane) {
+            const QPoint at = divided.pane(pane).center();
+            divided.program.press(at);
+            [&] { QTRY_VERIFY_WITH_TIMEOUT(!line().isEmpty(), kPatience); }();
+            divided.program.frames(10);
+            const QString said = line();
+            divided.program.release(at);
+            [&] { QTRY_COMPARE_WITH_TIMEOUT(line(), QString(), kPatience); }();
+            return said;
+        };
+        QCOMPARE(touch(kFrontPane), QStringLiteral("Front, parallel: 5 times as large"));
+        QCOMPARE(touch(kOwnPane), QStringLiteral("Own view: 5 times as large"));
+        divided.press(Qt::Key_1);
+        QCOMPARE(touch(0), QStringLiteral("5 times as large"));
     }
 
 private:
