@@ -32,8 +32,8 @@ QTreeWidgetItem* makeItem(SurfaceRef ref, Kind kind) {
 
 QString hintOfNothing() {
     return Outliner::tr(
-        "The objects of the scene and their surfaces.\n\nOpen a model (Ctrl+O) or drop one on "
-        "the window.");
+        "The objects of the scene and their surfaces.\n\nOpen a model (Ctrl+O), add one or a simple "
+        "form (File > Add), or drop one on the window.");
 }
 
 } // namespace
@@ -216,7 +216,7 @@ void Outliner::renameSelected() {
             if (!object->child(child)->isSelected()) return false;
         return true;
     };
-    const bool whole = hasFocus() ? currentItem() == object : allSelected();
+    const bool whole = hasFocus() ? currentItem() == object : object->isSelected() || allSelected();
     QTreeWidgetItem* row = whole ? item->parent() : item;
     const auto chosen = document_.selectedObjects();
     const auto group = groups_.find(document_.scene().find(active->object)->group);

@@ -68,6 +68,7 @@ private:
     QTreeWidgetItem* itemOf(SurfaceRef ref) const;
     bool hasSameRows(const Scene& scene) const;
     void showSelection();
+    std::vector<QTreeWidgetItem*> chosenWholes(const SurfaceSet& selected) const;
     void showFound();
     void selectChosen();
     void showMoves(QTreeWidgetItem& item, Moves moves);
@@ -105,6 +106,8 @@ private:
     std::vector<Listed> listed_; ///< what the tree shows, in its order
     std::map<std::string, QTreeWidgetItem*> groups_;
     std::set<std::string> folded_;     ///< of the groups
+    std::set<ObjectId> chosenObjects_; ///< by their own rows, the last time that rows were
+    std::set<std::string> chosenGroups_;
     QString words_;                    ///< that are searched for
     bool filling_ = false;             ///< our own changes of the tree are no edits
     bool choosing_ = false;            ///< the rows show already what is being selected

@@ -119,24 +119,51 @@ void Outliner::paintEvent(QPaintEvent* event) {
     painter.fillRect(QRect(left, gap_->y - 1, viewport()->width() - left, 2), theme().accent);
 }
 
-// In one step, for each is told to all who listen. An object is shown as selected when all its surfaces are.
+// In one step, for each is told to all who listen.
 void Outliner::showSelection() {
     if (choosing_) return;
     const QScopedValueRollback quiet(filling_, true);
     const SurfaceSet selected(document_.selected());
     const auto active = document_.selection();
     QItemSelection rows;
-    for (const Listed& each : listed_) {
-        for (int child = 0; child < each.item->childCount(); ++child) {
-            QTreeWidgetItem* item = each.item->child(child);
-            if (!selected.has(refOf(item))) continue;
-            const QModelIndex from = indexFromItem(item, kName);
-            rows.append(QItemSelectionRange(from, from.siblingAtColumn(kLock)));
-        }
-    }
+    std::set<ObjectId> inWholes;
     QTreeWidgetItem* current = active ? itemOf(*active) : nullptr;
+    const auto add = [&](QTreeWidgetItem* item) {
+        const QModelIndex from = indexFromItem(item, kName);
+        rows.append(QItemSelectionRange(from, from.siblingAtColumn(kLock)));
+    };
+    for (QTreeWidgetItem* whole : chosenWholes(selected)) {
+        add(whole);
+        if (active && std::ranges::count(objectsOf(whole), active->object)) current = whole;
+        for (const ObjectId id : objectsOf(whole))
+            inWholes.insert(id);
+    }
+    for (const Listed& each : listed_)
+        for (int child = 0; child < each.item->childCount() && !inWholes.contains(each.id); ++child)
+            if (selected.has(refOf(each.item->child(child)))) add(each.item->child(child));
     setCurrentItem(current, kName, QItemSelectionModel::NoUpdate);
     selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
+}
+
+/// Rows of objects and groups that the person chose, as long as all that is in them is selected.
+std::vector<QTreeWidgetItem*> Outliner::chosenWholes(const SurfaceSet& selected) const {
+    const auto all = [&](const QTreeWidgetItem* object) {
+        for (int child = 0; child < object->childCount(); ++child)
+            if (!selected.has(refOf(object->child(child)))) return false;
+        return object->childCount() > 0;
+    };
+    std::map<QTreeWidgetItem*, bool> wholeGroups;
+    std::vector<QTreeWidgetItem*> wholes;
+    for (const Listed& each : listed_) {
+        const bool whole = all(each.item);
+        if (whole && chosenObjects_.contains(each.id)) wholes.push_back(each.item);
+        if (!chosenGroups_.contains(each.group)) continue;
+        const auto group = wholeGroups.try_emplace(groups_.at(each.group), true).first;
+        group->second = group->second && whole;
+    }
+    for (const auto& [row, whole] : wholeGroups)
+        if (whole) wholes.push_back(row);
+    return wholes;
 }
 
 /// The surface of the current row is the active one; an object stands for all of its surfaces.
@@ -157,8 +184,13 @@ void Outliner::selectChosen() {
         for (int i = item->childCount(); i-- > 0;)
             addObject(item->child(i));
     };
-    for (const QTreeWidgetItem* item : selectedItems())
+    chosenObjects_.clear();
+    chosenGroups_.clear();
+    for (const QTreeWidgetItem* item : selectedItems()) {
+        if (isObject(item)) chosenObjects_.insert(refOf(item).object);
+        if (kindOf(item) == kGroup) chosenGroups_.insert(groupOf(item));
         if (item != currentItem()) addRow(item);
+    }
     if (currentItem() && currentItem()->isSelected()) {
         const QTreeWidgetItem* current = currentItem();
         std::erase_if(chosen,

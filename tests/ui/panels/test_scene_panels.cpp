@@ -158,6 +158,37 @@ private slots:
         QVERIFY(!outliner.currentItem());
     }
 
+    // Whoever chose an object and changes it still has the object, not a list of its surfaces.
+    void aChosenObjectStaysChosenWhenItIsEdited() {
+        Document document;
+        adopt(document, knownScene());
+        Outliner outliner(document);
+        outliner.resize(300, 300);
+        outliner.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&outliner));
+        click(outliner, "Box", 0);
+        const auto showsTheObject = [&] {
+            return row(outliner, "Box")->isSelected() && !row(outliner, "lid")->isSelected() &&
+                   !row(outliner, "floor")->isSelected() && outliner.currentItem() == row(outliner, "Box");
+        };
+        document.renameSurface(kTop, QStringLiteral("cover")); // rows are brought to what they say
+        QVERIFY(showsTheObject());
+        document.setVisible(document.scene().objects[1].id, false);
+        QVERIFY(showsTheObject());
+        document.removeObject(document.scene().objects[1].id); // rows are made anew
+        QVERIFY(showsTheObject());
+        QCOMPARE(document.selected(), (SurfaceRefs{kFloor, kLid}));
+        document.select({kLid}); // elsewhere
+        QVERIFY(!row(outliner, "Box")->isSelected());
+        QVERIFY(row(outliner, "lid")->isSelected());
+        document.select({kFloor, kLid});
+        QVERIFY(showsTheObject());
+        click(outliner, "lid", 0);
+        document.select({kFloor, kLid}); // by its surfaces this time
+        QVERIFY(row(outliner, "lid")->isSelected() && row(outliner, "floor")->isSelected());
+        QVERIFY(!row(outliner, "Box")->isSelected());
+    }
+
     void rowsAreRenamed() {
         Document document;
         adopt(document, knownScene());
