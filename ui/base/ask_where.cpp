@@ -1,8 +1,10 @@
 #include "ui/base/ask_where.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QSettings>
 
 #include <algorithm>
 #include <iterator>
@@ -36,8 +38,19 @@ QString modelFilter() {
     return QObject::tr("Models (%1)").arg(patterns.join(u' '));
 }
 
+namespace {
+const auto kFolder = QStringLiteral("files/folder");
+
+/// Where the last file was written, for a name without a place.
+QString folderFor(const QString& now) {
+    if (QFileInfo(now).isAbsolute()) return QFileInfo(now).path();
+    const QString last = QSettings().value(kFolder).toString();
+    return QFileInfo(last).isDir() ? last : QDir::homePath();
+}
+} // namespace
+
 QString askWhere(QWidget* parent, const QString& title, const QList<FileKind>& kinds, const QString& now) {
-    QFileDialog dialog(parent, title, QFileInfo(now).path());
+    QFileDialog dialog(parent, title, folderFor(now));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     QStringList filters;
     std::ranges::transform(kinds, std::back_inserter(filters), filterOf);
@@ -53,6 +66,7 @@ QString askWhere(QWidget* parent, const QString& title, const QList<FileKind>& k
                                           : QFileInfo(now).completeBaseName() + u'.' + chosen().ending);
     if (dialog.exec() != QDialog::Accepted) return {};
     QString file = dialog.selectedFiles().value(0);
+    QSettings().setValue(kFolder, QFileInfo(file).path());
     if (std::ranges::any_of(kinds, [&](const FileKind& kind) { return isOf(kind, file); })) return file;
     file += u'.' + chosen().ending;
     return !QFileInfo::exists(file) || mayReplace(parent, file) ? file : QString();

@@ -14,6 +14,8 @@ struct Reason {
 constexpr auto kNotOffered =
     QT_TR_NOOP("The file says it, or it could lose edits; see the bar over the view after opening.");
 constexpr auto kNothingThere = QT_TR_NOOP("Nothing is open, or the scene is empty.");
+constexpr auto kNoTriangles =
+    QT_TR_NOOP("No triangles are selected but whole surfaces at most; take some by box, lasso or brush.");
 constexpr Reason kReasons[] = {
     {"save", kNothingThere},
     {"save-as", kNothingThere},
@@ -36,6 +38,10 @@ constexpr Reason kReasons[] = {
     {"preset-apply", QT_TR_NOOP("No preset is chosen in the library, or no surface is selected.")},
     {"preset-save", QT_TR_NOOP("No surface is selected.")},
     {"preset-export", QT_TR_NOOP("No preset is chosen in the library.")},
+    {"grow", kNoTriangles},
+    {"shrink", kNoTriangles},
+    {"split", kNoTriangles},
+    {"merge", QT_TR_NOOP("Fewer than two surfaces are selected.")},
     {"swap-ab", QT_TR_NOOP("No state was marked as A.")},
     {"compare-now", QT_TR_NOOP("There is no stroke, or no state was marked as A.")},
     {"compare-csv", QT_TR_NOOP("Nothing was compared yet.")},

@@ -69,11 +69,12 @@ void RoomController::save() const {
 }
 
 /// Shows the plots once something was felt; not while something is held or touched: the model would move
-/// under the finger.
+/// under the finger; nor while a video is recorded, which would go on in another size.
 void RoomController::frame() {
     const bool touches = bench_.engine.proxy().output.contacts > 0;
     if (plots_ == Plots::Empty && touches) plots_ = Plots::Due;
-    if (plots_ != Plots::Due || grabbed_ || touches || hidesPanels()) return;
+    const bool busy = grabbed_ || touches || bench_.actions["record-video"].isChecked();
+    if (plots_ != Plots::Due || busy || hidesPanels()) return;
     plots_ = Plots::Shown;
     folds_.setFolded(bench_.dock("dock-plot"), false);
 }

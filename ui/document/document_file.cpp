@@ -16,7 +16,8 @@ FileStamp::FileStamp(const std::filesystem::path& file) : path(file) {
 }
 
 void Document::open(const std::filesystem::path& file, bool isSample, const AxesChoice& choice) {
-    openAs(file, isSample, choice, false);
+    // As it is remembered.
+    openAs(std::filesystem::absolute(file).lexically_normal(), isSample, choice, false);
 }
 
 void Document::reopen(const AxesChoice& choice) {

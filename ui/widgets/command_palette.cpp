@@ -1,6 +1,7 @@
 #include "ui/widgets/command_palette.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include <QCoreApplication>
 #include <QHeaderView>
@@ -50,6 +51,8 @@ bool hasLetters(const QString& text, const QString& word) {
     return true;
 }
 
+constexpr int kItsName = 64; ///< above whatever has the words in it
+
 int scoreOfWord(const QString& word, const PaletteEntry& entry) {
     const QString text = entry.text.toCaseFolded();
     if (beginsWord(text, word)) return 16;
@@ -68,13 +71,13 @@ int paletteScore(const QString& typed, const PaletteEntry& entry) {
         if (more == 0) return 0;
         score += more;
     }
-    constexpr int kItsName = 64; // above whatever has the words in it
     return typed.trimmed().toCaseFolded() == entry.text.toCaseFolded() ? score + kItsName : score;
 }
 
 std::vector<std::size_t> paletteOrder(const QString& typed, const std::vector<PaletteEntry>& entries,
                                       const QStringList& recent) {
     struct Match {
+        bool off; ///< cannot be run as things are, and is not asked for by its name
         int score;
         qsizetype age; ///< 0: run last
         std::size_t index;
@@ -83,10 +86,11 @@ std::vector<std::size_t> paletteOrder(const QString& typed, const std::vector<Pa
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const qsizetype age = entries[i].id.isEmpty() ? -1 : recent.indexOf(entries[i].id);
         if (const int score = paletteScore(typed, entries[i]))
-            places.push_back({score, age < 0 ? recent.size() : age, i});
+            places.push_back(
+                {!entries[i].whyNot.isEmpty() && score < kItsName, score, age < 0 ? recent.size() : age, i});
     }
     std::ranges::stable_sort(places, [](const Match& a, const Match& b) {
-        return a.score != b.score ? a.score > b.score : a.age < b.age;
+        return std::tuple(a.off, -a.score, a.age) < std::tuple(b.off, -b.score, b.age);
     });
     std::vector<std::size_t> order;
     for (const Match& place : places)

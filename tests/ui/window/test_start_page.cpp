@@ -46,12 +46,12 @@ public:
 private:
     QTemporaryDir settings_, folder_;
 
-    /// A cube that a window has opened and drawn; the only recent file.
+    /// A cube that a window has opened, as by a command line, and drawn; the only recent file.
     QString openedOnce() {
         forgetRecentFiles();
         const QString cube = writeCube(folder_);
         TouchedWindow program;
-        program.open(cube);
+        program.open(QDir::current().relativeFilePath(cube));
         [&] { QTRY_COMPARE_WITH_TIMEOUT(picturesKept(), 1, kPatience); }();
         return cube;
     }
