@@ -1212,10 +1212,6 @@
             <translation>1 von 3: Griff nach rechts bewegen</translation>
         </message>
         <message>
-            <source>1 surface</source>
-            <translation>1 Oberfläche</translation>
-        </message>
-        <message>
             <source>1 triangle</source>
             <translation>1 Dreieck</translation>
         </message>
@@ -2876,6 +2872,10 @@
             <translation>Fühlbare Seiten von %1</translation>
         </message>
         <message>
+            <source>Fewer than two surfaces are selected.</source>
+            <translation>Weniger als zwei Oberflächen sind gewählt.</translation>
+        </message>
+        <message>
             <source>Figure</source>
             <translation>Größe</translation>
         </message>
@@ -4387,6 +4387,10 @@
             <translation>Es wurde kein Strich aufgenommen: Das Gerät ist nicht gelaufen. Zuerst starten.</translation>
         </message>
         <message>
+            <source>No surface</source>
+            <translation>Keine Oberfläche</translation>
+        </message>
+        <message>
             <source>No surface and no triangle</source>
             <translation>Keine Oberfläche und kein Dreieck</translation>
         </message>
@@ -4397,6 +4401,10 @@
         <message>
             <source>No surface selected</source>
             <translation>Keine Oberfläche gewählt</translation>
+        </message>
+        <message>
+            <source>No triangles are selected but whole surfaces at most; take some by box, lasso or brush.</source>
+            <translation>Keine Dreiecke sind gewählt, höchstens ganze Oberflächen; einige mit Rechteck, Lasso oder Pinsel nehmen.</translation>
         </message>
         <message>
             <source>No view is kept yet</source>
@@ -6598,10 +6606,10 @@ der Grenze rendern</translation>
         <message>
             <source>The objects of the scene and their surfaces.
 
-Open a model (Ctrl+O) or drop one on the window.</source>
+Open a model (Ctrl+O), add one or a simple form (File &gt; Add), or drop one on the window.</source>
             <translation>Die Objekte der Szene und ihre Oberflächen.
 
-Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
+Ein Modell öffnen (Strg+O), eines oder eine einfache Form hinzufügen (Datei &gt; Hinzufügen) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>The other selected surfaces feel like the one that was selected last</source>
@@ -7628,8 +7636,8 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Mit dem &amp;Kraftdiagramm</translation>
         </message>
         <message>
-            <source>With the normals of the file</source>
-            <translation>Mit den Normalen der Datei</translation>
+            <source>With the normals of the mesh</source>
+            <translation>Mit den Normalen des Netzes</translation>
         </message>
         <message>
             <source>With the whole hand</source>

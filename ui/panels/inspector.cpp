@@ -149,7 +149,7 @@ QWidget* Inspector::makeShadingRows() {
     shading_->setToolTip(tr("Facets feel as the round surface that they stand for (section 3)."));
     connect(shading_, &QCheckBox::clicked, this,
             [this](bool on) { editShading(0, [on](Shading& shading) { shading.on = on; }); });
-    fileNormals_ = new QCheckBox(tr("With the normals of the file"));
+    fileNormals_ = new QCheckBox(tr("With the normals of the mesh"));
     fileNormals_->setObjectName("file-normals");
     fileNormals_->setToolTip(tr("Off: normals are computed, and edges beyond the crease angle stay sharp."));
     connect(fileNormals_, &QCheckBox::clicked, this, [this](bool on) {

@@ -234,7 +234,7 @@ void LayerPanel::refresh() {
 
 void LayerPanel::describe() {
     const Surface* of = surface();
-    heading_->setText(of ? QString::fromStdString(of->name) : tr("No surface selected"));
+    heading_->setText(of ? QString::fromStdString(of->name) : tr("No surface"));
     QString text;
     if (!of)
         text =

@@ -55,15 +55,11 @@ Sum sumOf(const std::vector<Share>& shares) {
     return sum;
 }
 
-QString amountText(std::size_t surfaces, const Sum& sum) {
-    QStringList parts;
-    if (surfaces > 0)
-        parts << (surfaces == 1 ? SelectionCount::tr("1 surface")
-                                : SelectionCount::tr("%1 surfaces").arg(surfaces));
-    parts << (sum.triangles == 1 ? SelectionCount::tr("1 triangle")
-                                 : SelectionCount::tr("%1 triangles").arg(sum.triangles));
-    parts << areaText(sum.area);
-    return parts.join(QStringLiteral(", "));
+/// How many surfaces the outliner and the panel say: the row has no room for it.
+QString amountText(const Sum& sum) {
+    const QString triangles = sum.triangles == 1 ? SelectionCount::tr("1 triangle")
+                                                 : SelectionCount::tr("%1 triangles").arg(sum.triangles);
+    return triangles + QStringLiteral(", ") + areaText(sum.area);
 }
 
 } // namespace
@@ -89,9 +85,8 @@ void SelectionCount::count() {
     }
     const auto shares = selectedShares(document_);
     if (shares.empty()) return clear();
-    const std::size_t surfaces = document_.selectedFaces().empty() ? document_.selected().size() : 0;
-    job_.start([this, shares, surfaces](const Progress&) -> BackgroundJob::Delivery {
-        return [this, text = amountText(surfaces, sumOf(shares))] { setText(text); };
+    job_.start([this, shares](const Progress&) -> BackgroundJob::Delivery {
+        return [this, text = amountText(sumOf(shares))] { setText(text); };
     });
 }
 

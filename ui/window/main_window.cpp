@@ -295,12 +295,15 @@ QWidget* MainWindow::makeCentre() {
     layers->setContentsMargins(0, 0, 0, 0);
     layers->addWidget(centre_, 0, 0);
     auto* head = new QVBoxLayout;
-    head->setObjectName(QStringLiteral("strips")); // Workbench::strips() knows it by that
     head->setSpacing(0);
-    head->addWidget(recoveryBar_);
-    head->addWidget(notice_);
+    auto* strips = new QVBoxLayout;
+    strips->setObjectName(QStringLiteral("strips")); // Workbench::strips() knows it by that
+    strips->setSpacing(0);
     for (ToolStrip* strip : {selectStrip_, arrangeStrip_, paintStrip_})
-        head->addWidget(strip, 0, Qt::AlignLeft);
+        strips->addWidget(strip, 0, Qt::AlignLeft);
+    head->addLayout(strips);
+    head->addWidget(recoveryBar_); // below: a button must not go away under the pointer
+    head->addWidget(notice_);
     layers->addLayout(head, 0, 0, Qt::AlignTop);
     auto* foot = new QVBoxLayout;
     foot->setSpacing(0);

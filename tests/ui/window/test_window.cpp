@@ -26,6 +26,8 @@
 #include "ui/document/recent_files.h"
 #include "ui/panels/history_list.h"
 #include "ui/view/scene_view.h"
+#include "ui/widgets/notice_bar.h"
+#include "ui/widgets/tool_strip.h"
 
 namespace test_window {
 
@@ -53,6 +55,7 @@ private slots:
     void aBrokenFileIsOneLineAndNoHarm();
     void aSceneThatCannotBeFeltSaysWhy();
     void aNoticeMovesNothing();
+    void aNoticeMovesNoRowOfATool();
     void theAxesAreSeenBelowANotice();
     void theRowOfAToolMovesNothing();
     void selectionGoesBothWays();
@@ -133,6 +136,26 @@ void TestWindow::aNoticeMovesNothing() {
 }
 
 /// Its three lettered ends, each in the colour of its axis, are drawn where nothing lies over the view.
+// What comes by itself must not take a button away from under the pointer.
+void TestWindow::aNoticeMovesNoRowOfATool() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    auto& notice = *program.window->findChild<NoticeBar*>();
+    notice.hide();
+    program.command("select").trigger();
+    program.frames(2);
+    ToolStrip* strip = nullptr;
+    for (ToolStrip* each : program.window->findChildren<ToolStrip*>())
+        if (each->isVisible()) strip = each;
+    QVERIFY(strip);
+    const QRect before = program.placeOf(*strip);
+    notice.showNote(QStringLiteral("said over the view"));
+    program.frames(2);
+    QVERIFY(notice.isVisible());
+    QCOMPARE(program.placeOf(*strip), before);
+    QCOMPARE_GE(program.placeOf(notice).top(), before.bottom());
+}
+
 void TestWindow::theAxesAreSeenBelowANotice() {
     TouchedWindow program;
     QVERIFY(program.open(writeCube(folder_)));
