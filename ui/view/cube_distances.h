@@ -36,6 +36,10 @@ public:
         const int i = int(index), row = i / count_[0];
         return {i % count_[0], row % count_[1], row / count_[1]};
     }
+    bool isOutermost(std::size_t index) const {
+        const Eigen::Vector3i at = cubeOf(index);
+        return !holds(at - Eigen::Vector3i::Ones()) || !holds(at + Eigen::Vector3i::Ones());
+    }
     /// How far a place in the grid is from its end in a direction of unit length; a little less, so that all
     /// places on the way are in it.
     float wayOut(const Eigen::Vector3f& from, const Eigen::Vector3f& toward) const {
@@ -92,7 +96,7 @@ private:
     /// The neighbours from `begin` to `end` of 27, of which the fourteenth is the cube itself.
     template <class Visit> void forSome(std::size_t cube, int begin, int end, Visit visit) const {
         const Eigen::Vector3i at = cubeOf(cube);
-        const bool all = holds(at - Eigen::Vector3i::Ones()) && holds(at + Eigen::Vector3i::Ones());
+        const bool all = !isOutermost(cube);
         for (int i = begin; i < end; ++i)
             if (all || holds(at + stepTo(i))) visit(std::size_t(int(cube) + offsets_[std::size_t(i)]));
     }

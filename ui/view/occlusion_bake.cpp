@@ -98,7 +98,10 @@ public:
     }
 
 private:
-    bool isNear(std::size_t cube) const { return distances_.at(cube) > 0 && distances_.at(cube) <= kNear; }
+    /// The outermost ones are open: they stand for all that lies beyond, as where something goes that moves.
+    bool isNear(std::size_t cube) const {
+        return distances_.at(cube) > 0 && distances_.at(cube) <= kNear && !distances_.isOutermost(cube);
+    }
 
     /// The cubes about it have the other directions, and the mean of them all is taken.
     Light around(const Eigen::Vector3i& cube) const {
@@ -175,7 +178,7 @@ OcclusionVolume gridAround(const Bounds& box, int along) {
     if (!(volume.voxel > 0)) return volume;
     volume.corner = box.low - Vec3::Constant(kMargin * volume.voxel);
     for (int i = 0; i < 3; ++i)
-        volume.count[std::size_t(i)] = int(std::ceil(size[i] / volume.voxel)) + 2 * kMargin;
+        volume.count[std::size_t(i)] = int(size[i] / volume.voxel) + 1 + 2 * kMargin;
     return volume;
 }
 

@@ -99,6 +99,9 @@ public:
     void setScene(const Scene& scene);
     /// Colours and gloss of a scene that has the shapes of the last one.
     void setLooks(const Scene& scene);
+    /// Which bodies move, of a scene that has the shapes of the last one: they darken nothing, and cast their
+    /// shadow when they rest.
+    void setCasters(const Scene& scene);
     /// Outlines surfaces.
     void setSelection(std::vector<SurfaceRef> surfaces);
     /// Lays the selection's colour over triangles of an object, in the numbers of its geometry.
@@ -345,7 +348,6 @@ protected:
 
 private:
     void fadeOn();
-    void setCasters(const Scene& scene);
 
     struct Impl;
     std::function<bool(const PickHit&)> doubleClick_ = [](const PickHit&) { return false; };

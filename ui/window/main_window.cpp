@@ -341,6 +341,7 @@ void MainWindow::follow(const SceneChange& change) {
     if (change.what == What::Material) return view_->setLooks(document_.scene());
     // The World from before knows other objects by the same numbers.
     if (change.what == What::Everything) view_->setWorld(nullptr);
+    if (change.what == What::Bodies) view_->setCasters(document_.scene());
     if (change.touchesShape()) {
         touched_.reset(); // its number may be another surface's now
         view_->setScene(document_.scene());

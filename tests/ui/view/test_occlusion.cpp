@@ -117,6 +117,16 @@ private slots:
         }
     }
 
+    /// What lies about the scene, as a body that has gone there, is as bright as under the open sky,
+    /// whichever way it faces.
+    void allIsOpenBeyondTheScene() {
+        const OcclusionVolume volume = volumeOf({ballOver(0)});
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double side : {-0.5, 0.5})
+                for (const Vec3& normal : {Vec3(Vec3::UnitX()), Vec3(-Vec3::UnitY()), Vec3(Vec3::UnitZ())})
+                    COMPARE_NEAR(volume.openness(side * Vec3::Unit(axis), normal), 1, 0.01, "");
+    }
+
     void whatMovesTakesNone() {
         const OcclusionVolume volume = volumeOf({plate(), ballOver(0.06, true)});
         COMPARE_NEAR(volume.openness(Vec3::Zero(), Vec3::UnitY()), 1.0, 0.03, "");

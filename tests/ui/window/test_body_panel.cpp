@@ -269,6 +269,33 @@ private slots:
         QCOMPARE(still, 2); // table and kettle
     }
 
+    // As long as a block stands still the plate is dark at its foot; a dark place would stay there for good
+    // when it goes away.
+    void whatMovesLeavesNoDarkPlace() {
+        int corner = 1;
+        const QByteArray text = objBox("plate", {-0.1, -0.01, -0.1}, {0.1, 0, 0.1}, corner) +
+                                objBox("block", {-0.03, 0, -0.03}, {0.03, 0.06, 0.03}, corner);
+        TouchedWindow program;
+        QVERIFY(program.open(writeFile(folder_, QStringLiteral("block.obj"), text)));
+        SceneView& view = program.window->view();
+        const auto lightAtItsFoot = [&] {
+            [&] { QTRY_VERIFY_WITH_TIMEOUT(!view.makesFelt() && !view.makesMeshes(), kPatience); }();
+            program.frames(5);
+            const QPointF at = *view.camera().project({0.033, 0, 0}) * view.devicePixelRatioF();
+            return view.grabPicture().pixelColor(at.toPoint()).lightness();
+        };
+        if (program.command("motion-run").isChecked()) program.command("motion-run").trigger();
+        program.command("select-none").trigger();
+        const int before = lightAtItsFoot();
+        choose(program, QStringLiteral("block"));
+        program.command("body-loose").trigger();
+        program.command("select-none").trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(lightAtItsFoot() > before + 10, kPatience);
+        program.command("undo").trigger();
+        program.command("select-none").trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(lightAtItsFoot(), before, kPatience);
+    }
+
     // What is of no single body is edited where nothing is selected.
     void theWorldIsScaled() {
         TouchedWindow program({1400, 1000});
