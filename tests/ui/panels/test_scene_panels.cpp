@@ -48,6 +48,18 @@ namespace {
 
 constexpr SurfaceRef kLid{1, 0}, kFloor{1, 1}, kTop{2, 0};
 
+/// The known scene in an outliner that can be clicked.
+struct ListedScene {
+    ListedScene() {
+        adopt(document, knownScene());
+        outliner.resize(300, 300);
+        outliner.show();
+        if (!QTest::qWaitForWindowExposed(&outliner)) qFatal("no window");
+    }
+    Document document;
+    Outliner outliner{document};
+};
+
 /// The row with a name, also deeper down.
 QTreeWidgetItem* row(QTreeWidget& tree, const char* name) {
     for (QTreeWidgetItemIterator it(&tree); *it; ++it)
@@ -102,12 +114,9 @@ private slots:
     }
 
     void eyesAndLocksAreClicked() {
-        Document document;
-        adopt(document, knownScene());
-        Outliner outliner(document);
-        outliner.resize(300, 300);
-        outliner.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&outliner));
+        ListedScene listed;
+        Document& document = listed.document;
+        Outliner& outliner = listed.outliner;
         const auto visible = [&] {
             return std::tuple(document.scene().objects[0].visible, surface(document, kLid).visible,
                               surface(document, kFloor).visible, document.scene().objects[1].visible);
@@ -133,12 +142,9 @@ private slots:
     }
 
     void rowsAndSelectionFollowEachOther() {
-        Document document;
-        adopt(document, knownScene());
-        Outliner outliner(document);
-        outliner.resize(300, 300);
-        outliner.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&outliner));
+        ListedScene listed;
+        Document& document = listed.document;
+        Outliner& outliner = listed.outliner;
         click(outliner, "lid", 0);
         QCOMPARE(document.selected(), SurfaceRefs{kLid});
         click(outliner, "top", 0, Qt::ControlModifier);
@@ -160,12 +166,9 @@ private slots:
 
     // Whoever chose an object and changes it still has the object, not a list of its surfaces.
     void aChosenObjectStaysChosenWhenItIsEdited() {
-        Document document;
-        adopt(document, knownScene());
-        Outliner outliner(document);
-        outliner.resize(300, 300);
-        outliner.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&outliner));
+        ListedScene listed;
+        Document& document = listed.document;
+        Outliner& outliner = listed.outliner;
         click(outliner, "Box", 0);
         const auto showsTheObject = [&] {
             return row(outliner, "Box")->isSelected() && !row(outliner, "lid")->isSelected() &&
