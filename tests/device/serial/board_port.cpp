@@ -8,16 +8,19 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <QByteArray>
+
 namespace tactum::test {
 
 BoardPort::BoardPort(const char* variable, const char* name)
     : variable_(variable), path_(folder_.filePath(name).toStdString()) {
-    setenv(variable_, path_.c_str(), 1);
+    // By Qt's function: the watchdog of Qt Test reads the environment on a thread of its own, under Qt's lock.
+    qputenv(variable_, QByteArray::fromStdString(path_.string()));
 }
 
 BoardPort::~BoardPort() {
     unplug();
-    unsetenv(variable_);
+    qunsetenv(variable_);
 }
 
 void BoardPort::plug(std::function<void()> step) {
