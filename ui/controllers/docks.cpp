@@ -62,6 +62,26 @@ void shareTabs(QMainWindow& window, QDockWidget& first, QDockWidget& second) {
 
 } // namespace
 
+QDockWidget* dockOf(const QMainWindow& window, const QTabBar& tabs, int tab) {
+    const auto at = tabs.tabData(tab).value<quintptr>();
+    for (auto* dock : window.findChildren<QDockWidget*>())
+        if (quintptr(dock) == at) return dock;
+    return nullptr;
+}
+
+QTabBar* tabsOf(const QMainWindow& window, const QDockWidget& dock) {
+    for (auto* tabs : window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+        for (int tab = 0; tab < tabs->count(); ++tab)
+            if (dockOf(window, *tabs, tab) == &dock) return tabs;
+    return nullptr;
+}
+
+QDockWidget* dockInFrontOf(const QMainWindow& window, const QDockWidget& dock) {
+    const QTabBar* tabs = tabsOf(window, dock);
+    QDockWidget* front = tabs ? dockOf(window, *tabs, tabs->currentIndex()) : nullptr;
+    return front == &dock ? nullptr : front;
+}
+
 void addTabBeside(QMainWindow& window, QDockWidget& beside, const QString& name, const QString& title,
                   QWidget* body) {
     auto* dock = addDock(window, name, title, body, window.dockWidgetArea(&beside));

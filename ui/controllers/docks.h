@@ -4,6 +4,7 @@
 #include <QMainWindow>
 
 class QDockWidget;
+class QTabBar;
 
 namespace tactum {
 
@@ -32,6 +33,12 @@ struct Docks {
 /// Adds a dock behind another one, in the same tabs.
 void addTabBeside(QMainWindow& window, QDockWidget& beside, const QString& name, const QString& title,
                   QWidget* body);
+
+/// The tabs that name a dock; none where it stands alone.
+QTabBar* tabsOf(const QMainWindow& window, const QDockWidget& dock);
+QDockWidget* dockOf(const QMainWindow& window, const QTabBar& tabs, int tab);
+/// The dock that lies over this one in the same tabs; none where it is in front itself.
+QDockWidget* dockInFrontOf(const QMainWindow& window, const QDockWidget& dock);
 
 /// As they are at first: one that comes later takes the room of the others.
 void sizeDocks(QMainWindow& window);

@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "ui/base/style.h"
+#include "ui/controllers/docks.h"
 
 namespace tactum {
 
@@ -34,17 +35,9 @@ QList<QDockWidget*> Folds::together(QDockWidget& dock) const {
     return window_.tabifiedDockWidgets(&dock) << &dock;
 }
 
-QTabBar* Folds::barOf(const QDockWidget& dock) const {
-    for (auto* bar : window_.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
-        for (int tab = 0; tab < bar->count(); ++tab)
-            if (dockOf(*bar, tab) == &dock) return bar;
-    return nullptr;
-}
-
 /// What lies behind tabs keeps the size that it had when it was last in front.
 QDockWidget& Folds::frontOf(QDockWidget& dock) const {
-    const QTabBar* bar = barOf(dock);
-    QDockWidget* front = bar ? dockOf(*bar, bar->currentIndex()) : nullptr;
+    QDockWidget* front = dockInFrontOf(window_, dock);
     return front ? *front : dock;
 }
 
@@ -68,7 +61,7 @@ void Folds::fold(QDockWidget& dock, bool folded) {
             &dock,
             [this, &dock] {
                 QDockWidget& front = frontOf(dock);
-                const QTabBar* bar = barOf(front); // which resizeDocks() counts
+                const QTabBar* bar = tabsOf(window_, front); // which resizeDocks() counts
                 const int height = heights_[window_.dockWidgetArea(&front)] + (bar ? bar->height() : 0);
                 window_.resizeDocks({&front}, {height}, Qt::Vertical);
             },
@@ -106,13 +99,6 @@ bool Folds::eventFilter(QObject* watched, QEvent* event) {
 }
 
 /// As QMainWindow writes it down in its tabs.
-QDockWidget* Folds::dockOf(const QTabBar& bar, int tab) const {
-    const auto at = bar.tabData(tab).value<quintptr>();
-    for (auto* dock : window_.findChildren<QDockWidget*>())
-        if (quintptr(dock) == at) return dock;
-    return nullptr;
-}
-
 void Folds::adopt(QTabBar& bar) {
     if (bar.findChild<QToolButton*>(kButton)) return;
     auto* button = new QToolButton(&bar);
@@ -120,9 +106,10 @@ void Folds::adopt(QTabBar& bar) {
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::TabFocus);
     connect(button, &QToolButton::clicked, this, [this, &bar] {
-        if (QDockWidget* dock = dockOf(bar, bar.currentIndex())) decide(dock, !isFolded(*dock));
+        if (QDockWidget* dock = dockOf(window_, bar, bar.currentIndex())) decide(dock, !isFolded(*dock));
     });
-    connect(&bar, &QTabBar::tabBarClicked, this, [this, &bar](int tab) { decide(dockOf(bar, tab), false); });
+    connect(&bar, &QTabBar::tabBarClicked, this,
+            [this, &bar](int tab) { decide(dockOf(window_, bar, tab), false); });
     bar.installEventFilter(this);
     showButton(bar);
 }
@@ -137,7 +124,7 @@ void Folds::decide(QDockWidget* dock, bool folded) {
 void Folds::showButton(QTabBar& bar) {
     bar.setFocusPolicy(bar.count() ? Qt::TabFocus : Qt::NoFocus); // Qt keeps an empty one out of sight
     auto* button = bar.findChild<QToolButton*>(kButton);
-    const QDockWidget* dock = dockOf(bar, bar.currentIndex());
+    const QDockWidget* dock = dockOf(window_, bar, bar.currentIndex());
     button->setVisible(dock && heights_.contains(window_.dockWidgetArea(const_cast<QDockWidget*>(dock))));
     if (!dock) return;
     const bool folded = isFolded(*dock);

@@ -40,9 +40,7 @@ protected:
 private:
     void fold(QDockWidget& dock, bool folded);
     QList<QDockWidget*> together(QDockWidget& dock) const;
-    QTabBar* barOf(const QDockWidget& dock) const;
     QDockWidget& frontOf(QDockWidget& dock) const;
-    QDockWidget* dockOf(const QTabBar& bar, int tab) const;
     void adopt(QTabBar& bar);
     void decide(QDockWidget* dock, bool folded);
     void showButton(QTabBar& bar);

@@ -1,6 +1,10 @@
 #include "ui/controllers/layer_controller.h"
 
+#include <QDockWidget>
+#include <QMainWindow>
+
 #include "ui/controllers/command_reasons.h"
+#include "ui/controllers/docks.h"
 #include "ui/document/document.h"
 #include "ui/document/layer_edits.h"
 #include "ui/engine/world_publisher.h"
@@ -57,10 +61,19 @@ void LayerController::connectCommands() {
 }
 
 void LayerController::connectMapping() {
-    connect(&bench_.actions["mapping"], &QAction::toggled, this, &LayerController::showMapping);
+    QDockWidget& dock = bench_.dock("dock-layers");
+    connect(&bench_.actions["mapping"], &QAction::toggled, this, [this, &dock](bool on) {
+        if (on && isBehind()) dock.raise();
+        showMapping();
+    });
+    connect(&dock, &QDockWidget::visibilityChanged, this, &LayerController::showMapping,
+            Qt::QueuedConnection); // when the tabs are as they will be
     connect(&bench_.view, &SceneView::mappingAsked, this, [this] {
         QAction& mapping = bench_.actions["mapping"];
-        if (mapping.isEnabled()) return mapping.toggle();
+        if (mapping.isEnabled()) {
+            if (isBehind()) mapping.setChecked(false); // they are asked for, not sent away
+            return mapping.toggle();
+        }
         bench_.notice.showNote(whyOff(QStringLiteral("mapping"), bench_.playback.active()));
     });
     const auto gesture = std::make_shared<Gesture>(0);
@@ -89,9 +102,15 @@ void LayerController::showCommands() {
     showMapping();
 }
 
-// A layer without a frame hides the handles; another one with a frame brings them back.
+// A layer without a frame hides the handles, and so does a panel before this one, which may have handles of
+// its own; another layer or this panel brings them back.
 void LayerController::showMapping() {
-    bench_.view.setMapping(bench_.actions["mapping"].isChecked() ? panel_.mappingFrame() : std::nullopt);
+    const bool shown = bench_.actions["mapping"].isChecked() && !isBehind();
+    bench_.view.setMapping(shown ? panel_.mappingFrame() : std::nullopt);
+}
+
+bool LayerController::isBehind() const {
+    return dockInFrontOf(bench_.window, bench_.dock("dock-layers"));
 }
 
 void LayerController::drop(const QString& file, QPointF place) {

@@ -24,6 +24,8 @@ private:
     void connectMapping();
     void showCommands();
     void showMapping();
+    /// Whether another panel that shares its tabs is in front.
+    bool isBehind() const;
 
     Workbench bench_;
     LayerPanel& panel_;

@@ -1,6 +1,11 @@
 #include "ui/controllers/motion_controller.h"
 
+#include <QDockWidget>
+#include <QMainWindow>
+
 #include "core/runtime/engine.h"
+#include "ui/controllers/docks.h"
+#include "ui/controllers/edit_notice.h"
 #include "ui/controllers/folds.h"
 #include "ui/document/document.h"
 #include "ui/panels/body_panel.h"
@@ -56,12 +61,33 @@ void MotionController::connectHolds() {
             panel_.hold(chosen);
             folds_.bringForward(bench_.dock("dock-body"));
         });
+    connect(&panel_, &BodyPanel::freed, this, &MotionController::tellOfTime);
     connect(&panel_, &BodyPanel::failed, &bench_.notice, &NoticeBar::showError);
-    connect(&panel_, &BodyPanel::marked, this, [this] {
-        bench_.view.setJoint(panel_.mark());
-        bench_.view.setPath(panel_.path());
-        bench_.view.setMass(panel_.mass());
+    connect(&panel_, &BodyPanel::marked, this, &MotionController::showMarks);
+    connect(&bench_.dock("dock-body"), &QDockWidget::visibilityChanged, this, &MotionController::showMarks,
+            Qt::QueuedConnection); // when the tabs are as they will be
+}
+
+/// Of the panel in front: another one may have handles of its own.
+void MotionController::showMarks() {
+    const bool behind = dockInFrontOf(bench_.window, bench_.dock("dock-body"));
+    bench_.view.setJoint(behind ? std::nullopt : panel_.mark());
+    bench_.view.setPath(behind ? std::nullopt : panel_.path());
+    bench_.view.setMass(behind ? std::nullopt : panel_.mass());
+}
+
+/// Time runs while a scene is made, so what has just been let go may be away before its joint is in place.
+void MotionController::tellOfTime(const QString& name) {
+    QAction& run = bench_.actions["motion-run"];
+    if (!run.isChecked()) return;
+    const QString sentence = tr("%1 moves from now on, as time runs.").arg(name);
+    const auto back = [this] { bench_.engine.beginBodies(); };
+    bench_.notice.offer(sentence, QStringLiteral("note"), tr("Stop it at the start"), [&run, back] {
+        run.setChecked(false);
+        back();
     });
+    bench_.notice.alsoOffer(tr("Back to the start"), back);
+    bench_.told.keep(sentence);
 }
 
 /// One drag of a handle is one step of the history.

@@ -20,7 +20,9 @@ private:
     void connectTime();
     void connectHolds();
     void connectHandles();
+    void showMarks();
     void setPace();
+    void tellOfTime(const QString& name);
     void showColliders();
 
     Workbench bench_;

@@ -269,8 +269,10 @@ void BodyPanel::hold(Hold hold) {
         return emit failed(tr("%1 moves by its keys; it cannot be pushed.").arg(asIs(chosen->name)));
     const QString texts[] = {tr("%1 stands still"), tr("%1 is loose"), tr("%1 on a hinge"),
                              tr("%1 on a slider"), tr("%1 on a path")};
+    const bool still = chosen->body == kWorldBody;
+    const QString name = asIs(chosen->name);
     if (holdOf(document_.scene(), chosen->body, which_) != hold)
-        document_.editBodies(texts[int(hold)].arg(asIs(chosen->name)),
+        document_.editBodies(texts[int(hold)].arg(name),
                              [hold, which = which_, id = chosen->id](Scene& scene) {
                                  BodyId held = scene.find(id)->body;
                                  if (hold == Hold::Still) return makeStill(scene, held);
@@ -282,6 +284,7 @@ void BodyPanel::hold(Hold hold) {
                                  setAxisJoint(scene, held, guessedJoint(scene, held, kind), which);
                              });
     refresh();
+    if (still && body() != kWorldBody) emit freed(name);
 }
 
 void BodyPanel::editJoint(const QString& what, Gesture gesture,

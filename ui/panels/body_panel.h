@@ -52,6 +52,8 @@ public:
 signals:
     /// mark() and mass() may be others.
     void marked();
+    /// What stood still may move from now on: the object of that name.
+    void freed(const QString& name);
     /// Why nothing was done, in one line.
     void failed(const QString& sentence);
 

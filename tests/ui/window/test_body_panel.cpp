@@ -2,6 +2,9 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QPushButton>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -321,7 +324,7 @@ private slots:
         choose(program, QStringLiteral("piston"));
         program.command("body-path").trigger();
         const SceneView& view = program.window->view();
-        QVERIFY(view.path().mark());
+        QTRY_VERIFY_WITH_TIMEOUT(view.path().mark(), kPatience);
         const auto jointNow = [&] {
             const Scene& scene = program.document.scene();
             return axisJointOf(scene, scene.mechanics.bodies[0].id).value();
@@ -470,8 +473,44 @@ private slots:
         QCOMPARE_LT(jointNow().axis.z(), 0.99);
         keep(program, "joint");
         giveUpADrag(program, placeOf(JointHandle::Place));
+        auto* body = program.window->findChild<QDockWidget*>(QStringLiteral("dock-body"));
+        program.window->findChild<QDockWidget*>(QStringLiteral("dock-layers"))->raise();
+        QTRY_VERIFY_WITH_TIMEOUT(!view.joint().mark(), kPatience); // as those of the panel in front
+        body->raise();
+        QTRY_VERIFY_WITH_TIMEOUT(view.joint().mark(), kPatience);
         choose(program, QStringLiteral("base"));
         QVERIFY(!view.joint().mark());
+    }
+
+    // Time runs while a scene is made: a person is told what has been let go, and how to have it back.
+    void whatIsLetGoIsToldAndComesBack() {
+        TouchedWindow program({1400, 1000});
+        QVERIFY(program.open(writeCrank(folder_)));
+        choose(program, QStringLiteral("piston"));
+        const auto told = [text = program.window->findChild<QLabel*>(QStringLiteral("notice-text"))] {
+            return text->isVisible() ? text->text() : QString();
+        };
+        const auto moved = [&] {
+            const auto world = compile(program.document.scene()).value();
+            BodyPlaces places(world.get());
+            double farthest = 0;
+            for (const PlacedObject& placed : places.at(program.engine.proxy().bodies))
+                farthest = std::max(farthest, placed.pose.translation.norm());
+            return farthest;
+        };
+        program.command("body-loose").trigger();
+        QCOMPARE(told(), QStringLiteral("piston moves from now on, as time runs."));
+        QTRY_VERIFY_WITH_TIMEOUT(moved() > 0.01, kPatience);
+        QTest::mouseClick(program.window->findChild<QPushButton*>(QStringLiteral("notice-act")),
+                          Qt::LeftButton);
+        QVERIFY(!program.command("motion-run").isChecked());
+        QTRY_VERIFY_WITH_TIMEOUT(moved() < 1e-9, kPatience);
+        // What moves already, and what cannot while time stands, is no news.
+        program.command("body-slider").trigger();
+        QCOMPARE(told(), QString());
+        choose(program, QStringLiteral("rod"));
+        program.command("body-loose").trigger();
+        QCOMPARE(told(), QString());
     }
 
     // A removed object leaves nothing behind that others would meet.

@@ -48,6 +48,7 @@ private slots:
     void aStrokeGivesTheProfile();
     void aDroppedPictureBecomesALayer();
     void theMappingIsDragged();
+    void theHandlesAreThoseOfThePanelInFront();
 };
 
 void TestLayerViews::thumbnailsDiffer() {
@@ -225,6 +226,34 @@ void TestLayerViews::theMappingIsDragged() {
     QTest::keyClick(&view, Qt::Key_G);
     QVERIFY(!view.mapping().frame());
     QTest::keyClick(&view, Qt::Key_G);
+    QVERIFY(view.mapping().frame());
+}
+
+void TestLayerViews::theHandlesAreThoseOfThePanelInFront() {
+    Layered window(folder_);
+    SceneView& view = window.program.window->view();
+    window.add({"layer-grooves"});
+    window.choose("mapping", int(TextureMapping::Planar));
+    window.program.command("mapping").trigger();
+    QVERIFY(view.mapping().frame());
+    window.dock("dock-body")->raise();
+    window.program.frames(3);
+    QVERIFY(!view.mapping().frame());
+    window.dock("dock-layers")->raise();
+    window.program.frames(3);
+    QVERIFY(view.mapping().frame());
+    // Who asks for them behind another panel sees them, and the panel that they are of.
+    window.dock("dock-body")->raise();
+    window.program.frames(3);
+    QTest::keyClick(window.program.window.get(), Qt::Key_Q);
+    QTest::keyClick(&view, Qt::Key_G);
+    window.program.frames(3);
+    QVERIFY(window.panel().isVisible());
+    QVERIFY(view.mapping().frame());
+    // Without any panel the view keeps them.
+    window.program.command("panels").trigger();
+    window.program.frames(3);
+    QVERIFY(!window.panel().isVisible());
     QVERIFY(view.mapping().frame());
 }
 
