@@ -70,7 +70,7 @@ std::string table(const Row& head, const std::vector<Row>& rows) {
 std::string picture(std::string_view mimeType, std::string_view bytes, std::string_view alt, int width,
                     int height) {
     const std::string high = height > 0 ? "\" height=\"" + std::to_string(height) : "";
-    return "<p><img width=\"" + std::to_string(width) + high + "\" alt=\"" + escaped(alt) +
+    return "<p class=\"picture\"><img width=\"" + std::to_string(width) + high + "\" alt=\"" + escaped(alt) +
            "\" src=\"data:" + std::string(mimeType) + ";base64," + base64Of(bytes) + "\"></p>\n";
 }
 

@@ -28,7 +28,9 @@ constexpr int kPictureWidth = 640, kPictureHeight = 480; // pixels
 
 // A browser brings the colours for dark and light itself.
 constexpr const char* kStyle = R"(:root { color-scheme: light dark; }
-body { font-family: sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; line-height: 1.45; }
+body { font-family: sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; }
+p, td, th { line-height: 145%; }
+p.picture { line-height: 100%; }
 table { border-collapse: collapse; margin: 0.5em 0 1.5em; }
 th, td { padding: 0.25em 0.6em; font-size: small; text-align: left; vertical-align: top; }
 tr, img { break-inside: avoid; }

@@ -316,6 +316,10 @@
             <translation>%1 bewegt sich nach Keyframes; es kann nicht geschoben werden.</translation>
         </message>
         <message>
+            <source>%1 moves from now on, as time runs.</source>
+            <translation>%1 bewegt sich ab jetzt, denn die Zeit läuft.</translation>
+        </message>
+        <message>
             <source>%1 ms</source>
             <translation>%1 ms</translation>
         </message>
@@ -2054,6 +2058,10 @@
         <message>
             <source>Back to the default, %1</source>
             <translation>Zurück zum Standard, %1</translation>
+        </message>
+        <message>
+            <source>Back to the start</source>
+            <translation>Zurück zum Anfang</translation>
         </message>
         <message>
             <source>Balanced Latin square</source>
@@ -5974,6 +5982,10 @@ der Grenze rendern</translation>
         <message>
             <source>Stimulus lasts</source>
             <translation>Reiz dauert</translation>
+        </message>
+        <message>
+            <source>Stop it at the start</source>
+            <translation>Am Anfang anhalten</translation>
         </message>
         <message>
             <source>Stop, and go on by one step of the haptics</source>

@@ -143,8 +143,8 @@ private slots:
             QVERIFY2(html.open(QIODevice::ReadOnly), qPrintable(html.errorString()));
             const QString text = QString::fromUtf8(html.readAll());
             QStringList headings;
-            for (auto i =
-                     QRegularExpression("<h[1-6][^>]*>([^<]+)</h[1-6]>\\s*+(?!<p><img)").globalMatch(text);
+            for (auto i = QRegularExpression("<h[1-6][^>]*>([^<]+)</h[1-6]>\\s*+(?!<p[^>]*><img)")
+                              .globalMatch(text);
                  i.hasNext();)
                 headings << i.next().captured(1).trimmed();
             QCOMPARE_GT(headings.size(), 3);
@@ -159,7 +159,8 @@ private slots:
         }
     }
 
-    /// What is said of a pattern stands over its picture on the same page, as another reader finds both.
+    /// What is said of a pattern, or of the forces, stands over its picture on the same page, as another
+    /// reader finds both. Between a picture and what follows it there are no half empty pages.
     void noCaptionEndsAPageOfPaper() {
         int captions = 0;
         for (const char* name : {"layered-leather", "texture-wall"}) {
@@ -174,11 +175,13 @@ private slots:
             QFile pages(file("c.xml"));
             QVERIFY2(pages.open(QIODevice::ReadOnly), qPrintable(pages.errorString()));
             const QStringList all = QString::fromUtf8(pages.readAll()).split(QStringLiteral("<page "));
+            if (QLatin1String(name) == QLatin1String("texture-wall")) QCOMPARE_LE(all.size() - 1, 7);
             for (const QString& page : all) {
                 int lowest = -1;
                 for (auto i = QRegularExpression("<image top=\"(-?\\d+)\"").globalMatch(page); i.hasNext();)
                     lowest = std::max(lowest, i.next().captured(1).toInt());
-                for (auto i = QRegularExpression("<text top=\"(\\d+)\"[^>]*>(Layer [^<]* mm across)<")
+                for (auto i = QRegularExpression(
+                                  "<text top=\"(\\d+)\"[^>]*>(Layer [^<]* mm across|[^<]*finger path[^<]*)<")
                                   .globalMatch(page);
                      i.hasNext(); ++captions) {
                     const auto caption = i.next();

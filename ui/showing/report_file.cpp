@@ -75,7 +75,8 @@ void beginPage(QTextDocument& document, int block) {
 /// A heading, or the words over a picture.
 bool leads(const QTextBlock& block) {
     const QString picture(QChar::ObjectReplacementCharacter);
-    const bool isCaption = block.length() > 1 && block.text() != picture && block.next().text() == picture;
+    const auto isPicture = [&](const QTextBlock& one) { return one.text().trimmed() == picture; };
+    const bool isCaption = block.length() > 1 && !isPicture(block) && isPicture(block.next());
     return isCaption || block.blockFormat().headingLevel() > 0;
 }
 
