@@ -11,6 +11,7 @@
 
 #include "core/files/images/write_png.h"
 #include "core/surface/smooth_normals.h"
+#include "core/surface/texture_feel.h"
 
 namespace tactum {
 namespace {
@@ -29,7 +30,34 @@ double lightOn(const Vec3& n) {
 
 struct Corner {
     Vec3 place;  ///< in pixels, z toward the eye
-    Vec3 normal; ///< as the picture has it; of any length
+    Vec3 inBody; ///< body frame, m
+    Vec3 normal; ///< body frame; of any length
+};
+
+/// A triangle of an object, as the picture has it.
+struct Facet {
+    std::array<Corner, 3> corners;
+    Mat3 turn; ///< from the body frame to the picture's
+    Eigen::Vector3d colour;
+    const TriangleSoup& soup;
+    Index index;
+    const TextureStack* texture; ///< null: it is plain
+    double finest;               ///< m: what is finer is not seen
+
+    /// What it looks like where the corners weigh so much.
+    Eigen::Vector3d light(const Vec3& weights) const {
+        Vec3 normal = Vec3::Zero();
+        for (std::size_t i = 0; i < 3; ++i)
+            normal += weights[Eigen::Index(i)] * corners[i].normal;
+        normal.normalize();
+        if (texture) {
+            const Triangle triangle{corners[0].inBody, corners[1].inBody, corners[2].inBody};
+            const Vec3 place = weights[0] * triangle.a + weights[1] * triangle.b + weights[2] * triangle.c;
+            const auto at = texturePointOn(soup, index, triangle, {place, weights}, normal);
+            normal = bumpedNormal(normal, feel(*texture, at, finest).slope);
+        }
+        return lightOn(turn * normal) * colour;
+    }
 };
 
 /// Light values from 0 to 1, and how near to the eye each pixel's surface is.
@@ -39,8 +67,8 @@ public:
         : width_(width), height_(height), colour_(std::size_t(width) * std::size_t(height), kBackground),
           depth_(colour_.size(), -std::numeric_limits<double>::infinity()) {}
 
-    void draw(const std::array<Corner, 3>& corners, const Eigen::Vector3d& colour) {
-        const std::array<Vec3, 3> t{corners[0].place, corners[1].place, corners[2].place};
+    void draw(const Facet& facet) {
+        const std::array<Vec3, 3> t{facet.corners[0].place, facet.corners[1].place, facet.corners[2].place};
         const double area = cross(t[1] - t[0], t[2] - t[0]);
         if (std::abs(area) < 1e-12) return;
         const auto [left, right] = range(t, 0, width_);
@@ -50,12 +78,8 @@ public:
                 const Vec3 p(x + 0.5, y + 0.5, 0);
                 const double b = cross(p - t[0], t[2] - t[0]) / area, c = cross(t[1] - t[0], p - t[0]) / area;
                 if (b < 0 || c < 0 || b + c > 1) continue;
-                const auto between = [&](auto Corner::*what) {
-                    return ((1 - b - c) * corners[0].*what + b * corners[1].*what + c * corners[2].*what)
-                        .eval();
-                };
-                put(x, y, between(&Corner::place).z(),
-                    lightOn(between(&Corner::normal).normalized()) * colour);
+                const double z = (1 - b - c) * t[0].z() + b * t[1].z() + c * t[2].z();
+                if (isNearest(x, y, z)) put(x, y, z, facet.light({1 - b - c, b, c}));
             }
     }
 
@@ -77,11 +101,11 @@ private:
         return {int(std::clamp(low - 1, 0.0, double(size))),
                 int(std::clamp(high + 1, -1.0, double(size - 1)))};
     }
+    std::size_t pixelAt(int x, int y) const { return std::size_t(y) * std::size_t(width_) + std::size_t(x); }
+    bool isNearest(int x, int y, double z) const { return z > depth_[pixelAt(x, y)]; }
     void put(int x, int y, double z, const Eigen::Vector3d& colour) {
-        const std::size_t pixel = std::size_t(y) * std::size_t(width_) + std::size_t(x);
-        if (z <= depth_[pixel]) return;
-        depth_[pixel] = z;
-        colour_[pixel] = colour;
+        depth_[pixelAt(x, y)] = z;
+        colour_[pixelAt(x, y)] = colour;
     }
 
     int width_, height_;
@@ -129,23 +153,25 @@ std::vector<std::uint16_t> Preview::draw(const Scene& scene) const {
         const TriangleSoup& soup = *object.geometry;
         std::vector<std::shared_ptr<const SmoothNormals>> made;
         const auto normals = normalsOf(object, made);
+        std::vector<std::shared_ptr<const TextureStack>> textures;
+        for (std::size_t i = 0; i < object.surfaces.size(); ++i)
+            textures.push_back(
+                compileTextures(object.surfaces[i].layers, object.geometry, Index(i), textures));
         for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
             const Surface& surface = object.surfaces[soup.surfaceOf[f]];
             if (!surface.visible) continue;
-            std::array<Vec3, 3> places;
-            for (std::size_t i = 0; i < 3; ++i)
-                places[i] = object.pose.apply(soup.positions[soup.triangles[f][i]]);
-            const Vec3 flat = (places[1] - places[0]).cross(places[2] - places[0]);
+            const auto& triangle = soup.triangles[f];
+            const auto at = [&](std::size_t corner) { return soup.positions[triangle[corner]]; };
+            const Vec3 flat = (at(1) - at(0)).cross(at(2) - at(0));
             if (flat.norm() == 0) continue;
             const auto smooth = normals[soup.surfaceOf[f]];
             std::array<Corner, 3> corners;
-            for (std::size_t i = 0; i < 3; ++i) {
-                const Vec3 normal = smooth.empty()
-                                        ? flat.normalized()
-                                        : object.pose.rotate(smooth[3 * f + i].cast<double>().eval());
-                corners[i] = {pixel(places[i]), turn_ * normal};
-            }
-            picture.draw(corners, surface.colour.cast<double>());
+            for (std::size_t i = 0; i < 3; ++i)
+                corners[i] = {pixel(object.pose.apply(at(i))), at(i),
+                              smooth.empty() ? flat.normalized() : smooth[3 * f + i].cast<double>().eval()};
+            picture.draw({corners, turn_ * object.pose.rotation.toRotationMatrix(),
+                          surface.colour.cast<double>(), soup, Index(f), textures[soup.surfaceOf[f]].get(),
+                          0.5 / scale_}); // half a pixel
         }
     }
     return picture.values();

@@ -141,9 +141,9 @@ void FeltPasses::look(std::size_t i) noexcept {
         base = shadedNormal(*feel->normals, contact.triangle, triangle, closest, away);
     }
     if (!feel->texture) return add(i, pose.rotate(base));
-    const TextureFeel touch =
-        tactum::feel(*feel->texture, texturePointAt(obstacle, contact.triangle, triangle, foot_[i], base),
-                     on_->smallestFeature);
+    const TextureFeel touch = tactum::feel(
+        *feel->texture, texturePointOn(*obstacle.mesh->soup, contact.triangle, triangle, foot_[i], base),
+        on_->smallestFeature);
     material_[i] = modulated(material_[i], touch);
     FeltSlopes slopes;
     const int count = slopesOf(touch, slopes);

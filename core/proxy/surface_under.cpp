@@ -9,24 +9,6 @@ constexpr double kFlat = 1e-12;
 
 } // namespace
 
-TexturePoint texturePointAt(const Obstacle& obstacle, Index index, const Triangle& triangle,
-                            const ClosestPoint& closest, const Vec3& normal) noexcept {
-    TexturePoint point;
-    point.position = closest.point;
-    point.normal = normal;
-    point.triangle = index;
-    point.weights = closest.weights;
-    const auto& uvs = obstacle.mesh->soup->cornerUvs;
-    if (uvs.empty()) return point;
-    CornerUvs corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-        corners[k] = uvs[3 * index + k].cast<double>();
-        point.uv += closest.weights[Eigen::Index(k)] * corners[k];
-    }
-    point.uvGradient = uvGradientOf(triangle, corners);
-    return point;
-}
-
 // One that is flat holds nothing back, but beside a tilted one
 // it would hold the finger on that one's slope.
 int slopesOf(const TextureFeel& feel, FeltSlopes& slopes) noexcept {

@@ -15,11 +15,6 @@ inline const SurfaceFeel* feelOf(const Obstacle& obstacle, Index triangle) noexc
     return feel.normals || feel.texture ? &feel : nullptr;
 }
 
-/// Where on the texture the point of a triangle is that is closest to the proxy. `normal`: of the surface as
-/// it is felt without the texture. Body frame. Thread: real time.
-TexturePoint texturePointAt(const Obstacle& obstacle, Index index, const Triangle& triangle,
-                            const ClosestPoint& closest, const Vec3& normal) noexcept;
-
 using FeltSlopes = std::array<Vec3, 1 + kMaxOwnPlanes>;
 
 /// The slopes of all planes that a texture gives, and how many: at least one. Thread: real time.

@@ -44,7 +44,7 @@ std::string patterns(const Surface& surface) {
         if (pattern.values.empty()) continue;
         const std::string what = "Layer " + layer.name + ", " + readable(1e3 * pattern.side) + " mm across";
         text += paragraph(what) +
-                picture("image/png", pngOf(pattern), what + ": light is high, dark is low", kPatternPixels, kPatternPixels);
+                picture("image/png", pngOf(pattern), what + ": light is high, dark is low", kPatternPixels);
     }
     return text;
 }
@@ -67,7 +67,7 @@ std::string pictureOf(const SceneObject& object) {
     alone.objects = {object};
     alone.objects.front().visible = true;
     return picture("image/png", previewOf(alone, kWidth, kHeight),
-                   object.name + ", seen from the front, the right and above", kWidth, kHeight);
+                   object.name + ", seen from the front, the right and above", kWidth);
 }
 
 } // namespace

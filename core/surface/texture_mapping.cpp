@@ -113,6 +113,23 @@ Gradient uvGradientOf(const Triangle& triangle, const CornerUvs& uvs) noexcept {
     return gradient.allFinite() ? gradient : Gradient::Zero();
 }
 
+TexturePoint texturePointOn(const TriangleSoup& soup, Index index, const Triangle& triangle,
+                            const ClosestPoint& closest, const Vec3& normal) noexcept {
+    TexturePoint point;
+    point.position = closest.point;
+    point.normal = normal;
+    point.triangle = index;
+    point.weights = closest.weights;
+    if (soup.cornerUvs.empty()) return point;
+    CornerUvs corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+        corners[k] = soup.cornerUvs[3 * std::size_t(index) + k].cast<double>();
+        point.uv += closest.weights[Eigen::Index(k)] * corners[k];
+    }
+    point.uvGradient = uvGradientOf(triangle, corners);
+    return point;
+}
+
 FlatPoints flatPoints(const CompiledPattern& pattern, const TexturePoint& point) noexcept {
     FlatPoints points;
     if (usesUvs(pattern))

@@ -29,6 +29,11 @@ using CornerUvs = std::array<Eigen::Vector2d, 3>;
 /// all the same or not finite. Thread: real time.
 Eigen::Matrix<double, 2, 3> uvGradientOf(const Triangle& triangle, const CornerUvs& uvs) noexcept;
 
+/// A place of a triangle of a mesh. `closest`: its point and its weights, body frame; `normal`: of the
+/// surface there as it is without the texture. Thread: real time.
+TexturePoint texturePointOn(const TriangleSoup& soup, Index index, const Triangle& triangle,
+                            const ClosestPoint& closest, const Vec3& normal) noexcept;
+
 /// A pattern's places for one point of the surface: one, or up to three that are blended.
 struct FlatPoints {
     std::array<FlatPoint, 3> point;

@@ -60,8 +60,8 @@ public:
         const Triangle triangle = obstacle_.triangle(nearest.triangle);
         const Vec3 facet = (triangle.b - triangle.a).cross(triangle.c - triangle.a).stableNormalized();
         const Vec3 normal = facet.dot(p_B - nearest.point) < 0 ? Vec3(-facet) : facet;
-        const TexturePoint point =
-            texturePointAt(obstacle_, nearest.triangle, triangle, closestPoint(triangle, p_B), normal);
+        const TexturePoint point = texturePointOn(*obstacle_.mesh->soup, nearest.triangle, triangle,
+                                                  closestPoint(triangle, p_B), normal);
         return valueOf(feel(*stack_, point, 0), target);
     }
 

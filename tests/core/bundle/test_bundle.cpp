@@ -271,6 +271,29 @@ private slots:
         QCOMPARE_GT(shades(soup, false), std::size_t(100)); // as the file has it
     }
 
+    // A flat plate has one brightness; its relief has more, as steep as it feels. What has no height, and
+    // what is finer than a pixel, is not to be seen.
+    void thePreviewShowsTheReliefThatIsFelt() {
+        const auto picture = [](TextureTarget target, double size) {
+            Scene scene = plate();
+            TextureLayer layer;
+            layer.pattern.source = TextureSource::Grooves;
+            layer.pattern.size = size;
+            layer.target = target;
+            layer.strength = target == TextureTarget::Height ? 0.002 : 0.5;
+            for (Surface& surface : scene.objects[0].surfaces)
+                surface.layers = {layer};
+            return Preview(scene, 96, 72).draw(scene);
+        };
+        const Scene plain = plate();
+        const auto without = Preview(plain, 96, 72).draw(plain);
+        const auto ridges = picture(TextureTarget::Height, 0.03);
+        const auto shades = [](const auto& values) { return std::set(values.begin(), values.end()).size(); };
+        QCOMPARE_GT(shades(ridges), 5 * shades(without));
+        QVERIFY(picture(TextureTarget::StaticFriction, 0.03) == without);
+        QVERIFY(picture(TextureTarget::Height, 0.0005) == without);
+    }
+
     void thePreviewShowsTheScene() {
         const auto picture = readImage(previewOf(plate(), 64, 48), "preview", "memory");
         VERIFY_RESULT(picture);

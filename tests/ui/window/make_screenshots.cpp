@@ -45,6 +45,8 @@ using namespace tactum;
 
 namespace {
 
+constexpr int kUntilSharp = 120; // frames: a flight of the camera, what is baked, and the best picture
+
 QSize sizeOf(const QString& text) {
     const QStringList parts = text.split(u'x');
     return parts.size() == 2 ? QSize(parts[0].toInt(), parts[1].toInt()) : QSize(1440, 900);
@@ -328,9 +330,9 @@ void takeBodies(const QDir& folder, const QString& scenes, QSize size) {
     program.document.select(SurfaceRef{program.document.scene().objects[2].id, 0});
     auto* dock = program.window->findChild<QDockWidget*>(QStringLiteral("dock-body"));
     dock->raise();
-    program.frames(30);
+    program.command("motion-run").setChecked(false); // and the picture comes to rest, too
+    program.frames(kUntilSharp);
     save(program, folder, QStringLiteral("body.png"));
-    program.command("motion-run").setChecked(false);
     program.command("arrange").trigger();
     program.window->findChild<QDockWidget*>(QStringLiteral("dock-place"))->raise();
     program.frames(30);
@@ -356,7 +358,7 @@ void takeMany(const QDir& folder, const QString& scenes, QSize size) {
     if (!test::waitFor([&] { return !program.document.opening() && program.caughtUp(); }))
         qFatal("the models do not come");
     program.command("view-isometric").trigger();
-    program.frames(30);
+    program.frames(kUntilSharp);
     save(program, folder, QStringLiteral("many-models.png"));
     const auto& objects = program.document.scene().objects;
     program.document.selectObjects({objects[1].id, objects[2].id});
