@@ -14,7 +14,7 @@ namespace tactum::test {
 
 BoardPort::BoardPort(const char* variable, const char* name)
     : variable_(variable), path_(folder_.filePath(name).toStdString()) {
-    // By Qt's function: the watchdog of Qt Test reads the environment on a thread of its own, under Qt's lock.
+    // By Qt: the watchdog of Qt Test reads the environment on a thread of its own, under the lock of Qt.
     qputenv(variable_, QByteArray::fromStdString(path_.string()));
 }
 
