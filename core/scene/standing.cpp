@@ -88,9 +88,19 @@ std::array<Vec3, 4> waysBeside(const Bounds& box, const Bounds& other) {
     return {middle + x, middle + z, middle - x, middle - z};
 }
 
+/// As far along x and z, by turns as waysBeside() has them, but not into line with the other box.
+std::array<Vec3, 4> straightWaysBeside(const Bounds& box, const Bounds& other) {
+    std::array<Vec3, 4> ways = waysBeside(box, other);
+    for (std::size_t i = 0; i < ways.size(); ++i)
+        ways[i][i % 2 == 0 ? 2 : 0] = 0;
+    return ways;
+}
+
+using Ways = std::array<Vec3, 4>(const Bounds& box, const Bounds& other);
+
 /// The shortest way to where the box meets nothing, beside one of the things or where it is; along y none.
 std::optional<Vec3> wayBesideAny(const Bounds& box, const std::vector<Bounds>& things,
-                                 const std::optional<Bounds>& within = {}) {
+                                 const std::optional<Bounds>& within = {}, Ways& ways = waysBeside) {
     const double rounding = kTouching * box.diagonal();
     double shortest = std::numeric_limits<double>::infinity();
     std::optional<Vec3> best;
@@ -104,7 +114,7 @@ std::optional<Vec3> wayBesideAny(const Bounds& box, const std::vector<Bounds>& t
     };
     offer(Vec3::Zero());
     for (const Bounds& thing : things)
-        for (const Vec3& way : waysBeside(box, thing))
+        for (const Vec3& way : ways(box, thing))
             offer(way);
     return best;
 }
@@ -148,7 +158,8 @@ Vec3 wayBeside(const Scene& scene, const Bounds& box) {
     if (box.empty()) return Vec3::Zero();
     Surroundings around = surroundingsOf(scene, {});
     if (around.floor) around.boxes.push_back(*around.floor);
-    return wayBesideAny(box, around.boxes).value_or(Vec3::Zero()); // beyond the outermost there is always one
+    // Beyond the outermost there is always one.
+    return wayBesideAny(box, around.boxes, {}, straightWaysBeside).value_or(Vec3::Zero());
 }
 
 double wayToGround(const Scene& scene, const GoingAlong& along) {

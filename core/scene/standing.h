@@ -16,7 +16,7 @@ Bounds boundsOf(const Scene& scene, std::span<const ObjectId> objects);
 /// as low as all that is there. Into an empty scene it comes to stand on the origin.
 Vec3 wayToRoom(const Scene& scene, const Bounds& box);
 
-/// The way of a box that is in the scene to the nearest free place at its height.
+/// The way of a box that is in the scene to the nearest free place at its height, along x or along z.
 Vec3 wayBeside(const Scene& scene, const Bounds& box);
 
 /// How far up these must move to stand on the box beneath them, or on the floor; beneath the floor, > 0, else

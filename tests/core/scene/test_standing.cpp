@@ -105,6 +105,14 @@ private slots:
         const Vec3 way = wayBeside(scene, shelf);
         COMPARE_NEAR(way, (Vec3(0, 0, 0.035)), 1e-12, "m"); // the shorter one: along z
         COMPARE_NEAR(wayBeside(scene, Bounds()), (Vec3(0, 0, 0)), 1e-12, "m");
+        // Along one axis, however the others around it lie: rows are made of doubles.
+        for (const Vec3& other : {Vec3(0.05, 0.2, 0.04), Vec3(0, 0.2, -0.035), Vec3(0.09, 0.2, 0.01)}) {
+            put(scene, {0.05, 0.02, 0.03}, other);
+            const Vec3 next = wayBeside(scene, shelf);
+            COMPARE_NEAR(std::min(std::abs(next.x()), std::abs(next.z())), 0, 1e-12, "m");
+            COMPARE_NEAR(next.y(), 0, 1e-12, "m");
+            QCOMPARE_GT(next.norm(), 0.03);
+        }
     }
 
     void downToTheGround() {
