@@ -2060,10 +2060,6 @@
             <translation>Zurück zum Standard, %1</translation>
         </message>
         <message>
-            <source>Back to the start</source>
-            <translation>Zurück zum Anfang</translation>
-        </message>
-        <message>
             <source>Balanced Latin square</source>
             <translation>Balanciertes lateinisches Quadrat</translation>
         </message>

@@ -163,7 +163,7 @@ private slots:
     /// reader finds both. Between a picture and what follows it there are no half empty pages.
     void noCaptionEndsAPageOfPaper() {
         int captions = 0;
-        for (const char* name : {"layered-leather", "texture-wall"}) {
+        for (const char* name : {"layered-leather", "texture-wall", "relief-coin"}) {
             const QString scene =
                 QStringLiteral(TACTUM_ROOT "/resources/scenes/") + QLatin1String(name) + ".glb";
             QCOMPARE(runTactum({"report", scene, "-o", file("c.pdf")}).code, 0);
@@ -181,7 +181,7 @@ private slots:
                 for (auto i = QRegularExpression("<image top=\"(-?\\d+)\"").globalMatch(page); i.hasNext();)
                     lowest = std::max(lowest, i.next().captured(1).toInt());
                 for (auto i = QRegularExpression(
-                                  "<text top=\"(\\d+)\"[^>]*>(Layer [^<]* mm across|[^<]*finger path[^<]*)<")
+                                  "<text top=\"(\\d+)\"[^>]*>(Layer [^<]* mm across|[^<]*haptic step[^<]*)<")
                                   .globalMatch(page);
                      i.hasNext(); ++captions) {
                     const auto caption = i.next();

@@ -81,12 +81,10 @@ void MotionController::tellOfTime(const QString& name) {
     QAction& run = bench_.actions["motion-run"];
     if (!run.isChecked()) return;
     const QString sentence = tr("%1 moves from now on, as time runs.").arg(name);
-    const auto back = [this] { bench_.engine.beginBodies(); };
-    bench_.notice.offer(sentence, QStringLiteral("note"), tr("Stop it at the start"), [&run, back] {
+    bench_.notice.offer(sentence, QStringLiteral("note"), tr("Stop it at the start"), [this, &run] {
         run.setChecked(false);
-        back();
+        bench_.engine.beginBodies();
     });
-    bench_.notice.alsoOffer(tr("Back to the start"), back);
     bench_.told.keep(sentence);
 }
 

@@ -60,6 +60,7 @@ void layOut(QTextDocument& document, QPagedPaintDevice& paper) {
 
 /// Of its first line: the cell of a table may begin at the foot of a page and its words on the next one.
 int pageOf(const QTextDocument& document, const QTextBlock& block) {
+    document.pageCount(); // lays out to the end: as far as it is asked for only, a picture stands elsewhere
     const QRectF box = document.documentLayout()->blockBoundingRect(block);
     const double line = block.layout()->lineCount() > 0 ? block.layout()->lineAt(0).y() : 0;
     return int((box.top() + line) / document.pageSize().height());
