@@ -9,9 +9,9 @@
 
 namespace tactum {
 
-/// One place to look from, for several pictures: from the front, right and above, lit by one lamp,
-/// round where the surface feels round or the file has normals, with the relief that is
-/// felt. Thread: any but real time.
+/// One place to look from, for several pictures: from the front, right and above, lit by one lamp, round
+/// where the surface feels round or the file has normals, with the relief that is felt down to half a pixel.
+/// Thread: any but real time.
 class Preview {
 public:
     /// The visible objects of this scene fill nine tenths of pictures of width x height pixels.

@@ -62,6 +62,7 @@ void shareTabs(QMainWindow& window, QDockWidget& first, QDockWidget& second) {
 
 } // namespace
 
+/// As QMainWindow writes it down in its tabs.
 QDockWidget* dockOf(const QMainWindow& window, const QTabBar& tabs, int tab) {
     const auto at = tabs.tabData(tab).value<quintptr>();
     for (auto* dock : window.findChildren<QDockWidget*>())

@@ -98,7 +98,6 @@ bool Folds::eventFilter(QObject* watched, QEvent* event) {
     return QObject::eventFilter(watched, event);
 }
 
-/// As QMainWindow writes it down in its tabs.
 void Folds::adopt(QTabBar& bar) {
     if (bar.findChild<QToolButton*>(kButton)) return;
     auto* button = new QToolButton(&bar);

@@ -248,7 +248,7 @@ void TestLayerViews::theHandlesAreThoseOfThePanelInFront() {
     QTest::keyClick(window.program.window.get(), Qt::Key_Q);
     QTest::keyClick(&view, Qt::Key_G);
     window.program.frames(3);
-    QVERIFY(window.panel().isVisible());
+    QVERIFY(!window.panel().visibleRegion().isEmpty()); // Qt calls what lies behind a tab visible, too
     QVERIFY(view.mapping().frame());
     // Without any panel the view keeps them.
     window.program.command("panels").trigger();
