@@ -46,8 +46,8 @@ target_link_libraries(tactum_test_program PRIVATE tactum_options PUBLIC tactum_b
 # tactum_tests(ROOM TESTS name... [SOURCES file...] [USES room...] [LINKS target...] [DEFINES macro=value...]
 #              [GUI name...] [LONG name...] [ALONE name...] [LABELS label...] [PROGRAM name] [UNDER program] [SUFFIX text])
 # One program with tests/ROOM/test_name.cpp for each name, and a CTest test `test_name` for each, which runs alone in a
-# process of its own. Labels: the room, for ./check ROOM; `gui` needs the display that ./check gives it, and stands alone
-# on it, beside tests that need none; `long` is for ./check --all. ALONE: nothing else runs beside it.
+# process of its own. Labels: the room, for ./check ROOM; `gui` has a screen of its own; `long` is for ./check --all.
+# ALONE: nothing else runs beside it.
 # PROGRAM: the room's second program, where one has to be linked differently. UNDER: what starts it. SUFFIX: goes on the
 # names of tests that run a second time.
 function(tactum_tests room)
@@ -90,7 +90,13 @@ function(tactum_tests room)
 
   foreach(name IN LISTS T_TESTS)
     set(test test_${name}${T_SUFFIX})
-    tactum_ctest(${test} ROOM ${room} LABELS ${T_LABELS} COMMAND ${T_UNDER} $<TARGET_FILE:${program}> test_${name})
+    if(name IN_LIST T_GUI)
+      set(screen ${TACTUM_SCREEN})
+    else()
+      set(screen)
+    endif()
+    tactum_ctest(${test} ROOM ${room} LABELS ${T_LABELS}
+      COMMAND ${screen} ${T_UNDER} $<TARGET_FILE:${program}> test_${name})
     if(name IN_LIST T_LONG)
       set_property(TEST ${test} APPEND PROPERTY LABELS long)
       set_property(TEST ${test} PROPERTY COST 100)
@@ -112,14 +118,17 @@ function(tactum_ctest name)
   set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS "${T_ROOM};${T_LABELS}" ENVIRONMENT "TACTUM_BUSY=1")
 endfunction()
 
-# tactum_gui_test(NAME [variable=value...]): the test of that name needs the display, with more of an environment.
+# What begins the command of a test that shows windows.
+set(TACTUM_SCREEN "${PROJECT_SOURCE_DIR}/tests/support/on_a_screen")
+
+# tactum_gui_test(NAME [variable=value...]): the test of that name shows windows, with more of an environment. Its command
+# begins with TACTUM_SCREEN.
 function(tactum_gui_test test)
-  set_property(TEST ${test} PROPERTY RESOURCE_LOCK display) # one keyboard; other tests run beside it
   set_property(TEST ${test} PROPERTY COST 200) # first, for the last of them ends the run
   set_property(TEST ${test} APPEND PROPERTY LABELS gui)
-  # Settings of their own: a test neither reads nor changes the person's.
+  # Settings of its own: a test neither reads nor changes the person's, or those of another one beside it.
   set_property(TEST ${test} APPEND PROPERTY
-    ENVIRONMENT "QT_QPA_PLATFORM=xcb" "XDG_CONFIG_HOME=${CMAKE_CURRENT_BINARY_DIR}/config"
+    ENVIRONMENT "QT_QPA_PLATFORM=xcb" "XDG_CONFIG_HOME=${CMAKE_BINARY_DIR}/settings/${test}"
     "MESA_SHADER_CACHE_DIR=${CMAKE_BINARY_DIR}/shaders" # one for all, wherever a test puts its folders
     # Drawing without a graphics card in the thread that asks for it, as fast as with one of its own: docs/testing.md
     "LP_NUM_THREADS=0"

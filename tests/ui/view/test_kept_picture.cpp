@@ -52,7 +52,7 @@ Scene sceneOf(Index meridians, Index rings) {
 
 struct KeptView {
     explicit KeptView(const Scene& shown) : scene(shown) {
-        view.resize(500, 380);
+        view.resize(330, 250); // each picture is compared as a whole: small ones serve
         view.setPictureLimits({.motion = 1e9}); // what is exact does not depend on the machine
         view.setScene(scene);
         setWorld();
@@ -139,7 +139,7 @@ const std::vector<Change>& changes() {
         {"the touch again", [](KeptView& v) { v.view.setOverlayVisible(true); }},
         {"the camera's turn", [](KeptView& v) { v.view.moveCamera(0.3, 0.1); }},
         {"the camera's distance", [](KeptView& v) { v.view.moveCamera(0, 0, 0.8); }},
-        {"the size", [](KeptView& v) { v.view.resize(420, 400); }},
+        {"the size", [](KeptView& v) { v.view.resize(280, 270); }},
         {"a colour",
          [](KeptView& v) {
              v.edit([](Scene& s) { s.objects[0].surfaces[kUpper].colour = {0.7f, 0.1f, 0.1f}; });
