@@ -295,16 +295,25 @@ Joint jointFrom(const AxisJoint& axis, const Scene& scene, BodyId body) {
 
 } // namespace
 
-const std::array<AxisField, 10> kAxisFields{{{&kLowAngle, &kLowWay, &AxisJoint::low},
-                                             {&kHighAngle, &kHighWay, &AxisJoint::high},
-                                             {&kTurnDamping, &kSlideDamping, &AxisJoint::damping},
-                                             {&kTurnFriction, &kSlideFriction, &AxisJoint::friction},
-                                             {&kTurnSpring, &kSlideSpring, &AxisJoint::stiffness},
-                                             {&kTurnRest, &kSlideRest, &AxisJoint::rest},
-                                             {&kTurnSpeed, &kSlideSpeed, &AxisJoint::speed},
-                                             {&kTurnStrength, &kSlideStrength, &AxisJoint::strength},
-                                             {&kTurnSpacing, &kSlideSpacing, &AxisJoint::spacing},
-                                             {&kTurnDetent, &kSlideDetent, &AxisJoint::detent}}};
+const std::array<AxisField, 10> kAxisFields{
+    {{&kLowAngle, &kLowWay, &AxisJoint::low},
+     {&kHighAngle, &kHighWay, &AxisJoint::high},
+     {&kTurnDamping, &kSlideDamping, &AxisJoint::damping},
+     {&kTurnFriction, &kSlideFriction, &AxisJoint::friction},
+     {&kTurnSpring, &kSlideSpring, &AxisJoint::stiffness},
+     {&kTurnRest, &kSlideRest, &AxisJoint::rest},
+     {&kTurnSpeed, &kSlideSpeed, &AxisJoint::speed, &AxisJoint::strength, 0.05, 1},
+     {&kTurnStrength, &kSlideStrength, &AxisJoint::strength},
+     {&kTurnSpacing, &kSlideSpacing, &AxisJoint::spacing, &AxisJoint::detent, 0.02, 0.5},
+     {&kTurnDetent, &kSlideDetent, &AxisJoint::detent, &AxisJoint::spacing, kWholeTurn / 24, 0.005}}};
+
+void setFigure(AxisJoint& joint, const AxisField& field, double value) {
+    const Parameter& parameter = field.of(joint.kind);
+    const double safe = parameter.clamped(value);
+    joint.*field.value = field.isStop() && safe == parameter.initial ? field.endless() : safe;
+    if (field.needs && safe != 0 && joint.*field.needs == 0)
+        joint.*field.needs = joint.kind == AxisKind::Hinge ? field.usualOfHinge : field.usualOfSlider;
+}
 
 RigidBody* findBody(Scene& scene, BodyId id) {
     return const_cast<RigidBody*>(findBody(std::as_const(scene), id));

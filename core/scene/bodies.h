@@ -57,6 +57,10 @@ struct AxisField {
     const Parameter* hinge;
     const Parameter* slider;
     double AxisJoint::*value;
+    /// What it is nothing without, such as the strength of a motor without which there is no speed; null:
+    /// nothing.
+    double AxisJoint::*needs = nullptr;
+    double usualOfHinge = 0, usualOfSlider = 0; ///< of what it needs, in that figure's unit
 
     /// A stop at the end of its range is none.
     bool isStop() const { return value == &AxisJoint::low || value == &AxisJoint::high; }
@@ -64,6 +68,10 @@ struct AxisField {
     double endless() const { return value == &AxisJoint::low ? -kUnbounded : kUnbounded; }
 };
 extern const std::array<AxisField, 10> kAxisFields;
+
+/// One figure as an author sets it, brought into its range; a stop at the end of its range is none. What it
+/// needs and is 0 gets its usual value: else whichever of the two were set first would be gone.
+void setFigure(AxisJoint& joint, const AxisField& field, double value);
 
 /// Makes an object a loose body of the density of water, and of every other object something that bodies can
 /// lie on, unless the scene has such already. What its parts that share no vertex enclose is what touches:

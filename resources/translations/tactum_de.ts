@@ -4427,6 +4427,10 @@
             <translation>Keine</translation>
         </message>
         <message>
+            <source>None of these, or several</source>
+            <translation>Keine davon oder mehrere</translation>
+        </message>
+        <message>
             <source>Normal (replace)</source>
             <translation>Normal (ersetzen)</translation>
         </message>

@@ -235,18 +235,15 @@ void BodyPanel::addJoint() {
     refresh();
 }
 
-/// A value at the end of its range is a stop that there is not.
 void BodyPanel::addAxisFields(AxisKind kind, QWidget* rows) {
     for (const AxisField& field : kAxisFields) {
         const Parameter& parameter = field.of(kind);
         auto* row = new ParameterField(parameter);
-        connect(
-            row, &ParameterField::edited, this, [this, &field, &parameter](double value, Gesture gesture) {
-                editJoint(wordsOf(parameter.label), gesture, [&](AxisJoint& joint) {
-                    const double safe = parameter.clamped(value);
-                    joint.*field.value = field.isStop() && safe == parameter.initial ? field.endless() : safe;
+        connect(row, &ParameterField::edited, this,
+                [this, &field, &parameter](double value, Gesture gesture) {
+                    editJoint(wordsOf(parameter.label), gesture,
+                              [&](AxisJoint& joint) { setFigure(joint, field, value); });
                 });
-            });
         axisRows_.push_back({&field, kind, row});
         rows->layout()->addWidget(row);
     }
@@ -264,9 +261,9 @@ BodyId BodyPanel::body() const {
 
 void BodyPanel::hold(Hold hold) {
     const SceneObject* chosen = object();
-    if (!chosen) return emit failed(tr("Nothing is selected; select the object first (Q)."));
+    if (!chosen) return refuse(tr("Nothing is selected; select the object first (Q)."));
     if (chosen->motion)
-        return emit failed(tr("%1 moves by its keys; it cannot be pushed.").arg(asIs(chosen->name)));
+        return refuse(tr("%1 moves by its keys; it cannot be pushed.").arg(asIs(chosen->name)));
     const QString texts[] = {tr("%1 stands still"), tr("%1 is loose"), tr("%1 on a hinge"),
                              tr("%1 on a slider"), tr("%1 on a path")};
     const bool still = chosen->body == kWorldBody;

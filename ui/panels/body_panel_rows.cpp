@@ -30,6 +30,7 @@ QWidget* BodyPanel::makeColliderRow() {
         form_->addItem(wordsOf(each.label));
         form_->setItemData(form_->count() - 1, wordsOf(each.sentence), Qt::ToolTipRole);
     }
+    form_->setPlaceholderText(tr("None of these, or several"));
     form_->setToolTip(tr("As what other bodies meet it; View > What bodies meet draws it."));
     connect(form_, &QComboBox::activated, this, [this](int which) {
         const SceneObject* chosen = object();

@@ -119,6 +119,32 @@ private slots:
         }
     }
 
+    // A motor's speed is nothing without its strength, a detent's torque nothing without how far it is to the
+    // next: whichever is set first brings the other.
+    void aNumberThatIsSetAloneStays() {
+        for (const AxisKind kind : {AxisKind::Hinge, AxisKind::Slider, AxisKind::Path})
+            for (const AxisField& field : kAxisFields) {
+                Doorway doorway;
+                const BodyId body = makeBody(doorway.scene, doorway.door);
+                AxisJoint axis = guessedJoint(doorway.scene, body, kind);
+                const Parameter& parameter = field.of(kind);
+                const double value = 0.25 * parameter.minimum + 0.75 * parameter.maximum;
+                setFigure(axis, field, value);
+                setAxisJoint(doorway.scene, body, axis);
+                const auto read = axisJointOf(doorway.scene, body);
+                QVERIFY(read);
+                COMPARE_NEAR((*read).*field.value, value, 1e-9, parameter.key.data());
+                setFigure(axis, field, 2 * parameter.maximum + 1); // beyond its range
+                QCOMPARE_EQ(axis.*field.value, field.isStop() && parameter.maximum == parameter.initial
+                                                   ? field.endless()
+                                                   : parameter.maximum);
+                setFigure(axis, field, parameter.minimum);
+                QCOMPARE_EQ(axis.*field.value, parameter.minimum == parameter.initial && field.isStop()
+                                                   ? field.endless()
+                                                   : parameter.minimum);
+            }
+    }
+
     // A change of a number takes the bodies nowhere: their places are kept by where joints are, to the bit.
     void aNumberOfAJointLeavesItsPlace() {
         for (const AxisKind kind : {AxisKind::Hinge, AxisKind::Slider, AxisKind::Path}) {

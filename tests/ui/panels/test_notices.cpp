@@ -18,11 +18,14 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
 #include "tests/ui/panels/panels.h"
+#include "ui/engine/shared_link.h"
+#include "ui/panels/connection_bar.h"
 #include "ui/panels/event_list.h"
 #include "ui/panels/health_panel.h"
 #include "ui/panels/history_list.h"
 #include "ui/panels/recent_list.h"
 #include "ui/panels/sample_gallery.h"
+#include "ui/panels/selection_count.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
 #include "ui/widgets/notice_bar.h"
@@ -460,6 +463,68 @@ private slots:
         SampleGallery gallery(files);
         gallery.resize(600, 400);
         COMPARE_SHOWN(shownIn(gallery), "gallery");
+    }
+
+    void theServersBarSaysWhoEdits() {
+        ConnectionBar bar;
+        QVERIFY(bar.isHidden());
+        QSignalSpy wanted(&bar, &ConnectionBar::penWanted);
+        auto& ask = part<QPushButton>(bar, "connection-ask");
+        struct Case {
+            SharedState state;
+            const char *text, *severity;
+            bool asks;
+        };
+        for (const Case& each :
+             {Case{{"host", false, false, "", "", 0, false},
+                   "Not connected to host: no force",
+                   "error",
+                   false},
+              {{"host", false, true, "", "", 2, false}, "Not connected to host: no force", "error", false},
+              {{"host", true, true, "me", "", 1, false}, "Haptic server host, you edit", "note", false},
+              {{"host", true, false, "", "", 1, false}, "Haptic server host, nobody edits", "note", true},
+              {{"host", true, false, "<b>Ann", "", 1, false},
+               "Haptic server host, <b>Ann edits",
+               "note",
+               true},
+              {{"host", true, false, "Ann", "", 2, false},
+               "Haptic server host, 2 clients, Ann edits",
+               "note",
+               true}}) {
+            bar.display(each.state);
+            QVERIFY(!bar.isHidden());
+            QCOMPARE(bar.text(), each.text);
+            QCOMPARE(bar.property("severity").toString(), each.severity);
+            QCOMPARE_EQ(!ask.isHidden(), each.asks);
+        }
+        ask.click();
+        QCOMPARE_EQ(wanted.count(), 1);
+        COMPARE_SHOWN(shownIn(bar), "connection");
+    }
+
+    // A plate is a square of 100 square centimetres in two triangles.
+    void theCountSaysHowMuchIsSelected() {
+        Document document;
+        adopt(document, knownScene());
+        SelectionCount count(document);
+        QCOMPARE(count.text(), "");
+        const auto says = [&](const char* text) {
+            (void)waitFor([&] { return count.text() == QLatin1String(text); });
+            QCOMPARE(count.text(), text);
+        };
+        document.select({{1, 0}});
+        says("2 triangles, 100 cm\u00b2");
+        document.select({{1, 0}, {1, 1}, {2, 0}});
+        says("6 triangles, 300 cm\u00b2");
+        document.selectFaces({1, {0}});
+        says("1 triangle, 50.0 cm\u00b2"); // before whole surfaces
+        document.selectFaces({});
+        says("6 triangles, 300 cm\u00b2");
+        document.select({});
+        says("");
+        for (const SurfaceRef& ref : {SurfaceRef{1, 0}, {2, 0}}) // the second while the first is counted
+            document.select({ref}, SelectMode::Add);
+        says("4 triangles, 200 cm\u00b2");
     }
 };
 

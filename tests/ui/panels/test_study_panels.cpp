@@ -2,10 +2,19 @@
 #include <set>
 
 #include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTest>
+#include <QTimer>
 #include <QTreeWidget>
 
 #include "tests/support/compare.h"
@@ -14,6 +23,7 @@
 #include "tests/ui/english.h"
 #include "tests/ui/panels/panels.h"
 #include "ui/study/study_desk.h"
+#include "ui/study/study_dialog.h"
 #include "ui/study/study_page.h"
 #include "ui/study/study_panel.h"
 
@@ -59,6 +69,108 @@ QStringList saidIn(StudyPage& page, StudyRun& run) {
     return said;
 }
 
+/// A design in which no member is what it comes with.
+StudyDesign written() {
+    StudyDesign design = abx();
+    design.instructions = "Feel, then choose.";
+    design.order = StudyOrder::Balanced;
+    design.seed = 17;
+    design.prompt = "Which is harder?";
+    design.questions = {{StudyQuestion::Kind::Rating, "How rough?", "smooth", "rough", 5, {}},
+                        {StudyQuestion::Kind::Choice, "Which hand?", "", "", 7, {"left", "right"}},
+                        {StudyQuestion::Kind::Magnitude, "How stiff?", "", "", 7, {}},
+                        {StudyQuestion::Kind::Text, "What was it like?", "", "", 7, {}}};
+    design.stimulusSeconds = 3.5;
+    design.pauseSeconds = 1.5;
+    design.again = false;
+    design.forcesOffBetween = true;
+    design.view = StudyView::Frozen;
+    design.touchEvery = 4;
+    design.staircase.surface = "lid";
+    design.staircase.object = "Box";
+    return design;
+}
+
+/// Each member, in a line.
+QStringList linesOf(const StudyDesign& d) {
+    const auto all = [](const auto& list, auto&& word) {
+        QStringList words;
+        for (const auto& each : list)
+            words << word(each);
+        return words.join(QStringLiteral(", "));
+    };
+    const auto text = [](const std::string& each) { return QString::fromStdString(each); };
+    const auto number = [](double each) { return QString::number(each, 'g', 6); };
+    const StaircaseRule& s = d.staircase;
+    return {QStringLiteral("name ") + text(d.name),
+            QStringLiteral("instructions ") + text(d.instructions),
+            QStringLiteral("procedure ") + QString::number(int(d.procedure)),
+            QStringLiteral("order ") + QString::number(int(d.order)),
+            QStringLiteral("repeats ") + QString::number(d.repeats),
+            QStringLiteral("seed ") + QString::number(d.seed),
+            QStringLiteral("prompt ") + text(d.prompt),
+            QStringLiteral("questions ") + all(d.questions,
+                                               [&](const StudyQuestion& q) {
+                                                   return QStringLiteral("%1 %2 %3 %4 %5 [%6]")
+                                                       .arg(int(q.kind))
+                                                       .arg(text(q.text), text(q.low), text(q.high))
+                                                       .arg(q.steps)
+                                                       .arg(all(q.choices, text));
+                                               }),
+            QStringLiteral("stimulus ") + number(d.stimulusSeconds),
+            QStringLiteral("pause ") + number(d.pauseSeconds),
+            QStringLiteral("again %1").arg(d.again),
+            QStringLiteral("off between %1").arg(d.forcesOffBetween),
+            QStringLiteral("view %1").arg(int(d.view)),
+            QStringLiteral("every %1").arg(d.touchEvery),
+            QStringLiteral("surface ") + text(s.surface),
+            QStringLiteral("object ") + text(s.object),
+            QStringLiteral("parameter ") + text(s.parameter),
+            QStringLiteral("compares %1").arg(s.compares),
+            QStringLiteral("reference ") + number(s.reference),
+            QStringLiteral("start ") + number(s.start),
+            QStringLiteral("smallest ") + number(s.smallest),
+            QStringLiteral("largest ") + number(s.largest),
+            QStringLiteral("steps ") + all(s.steps, number),
+            QStringLiteral("ratio %1").arg(s.ratio),
+            QStringLiteral("down %1").arg(s.down),
+            QStringLiteral("reversals %1").arg(s.reversals),
+            QStringLiteral("used %1").arg(s.used),
+            QStringLiteral("trials %1").arg(s.trials)};
+}
+
+/// What the dialog gives after a person did something in it and pressed OK, or nothing where that cannot be
+/// pressed.
+std::optional<StudyDesign> asked(const StudyDesign& design, const std::function<void(QDialog&)>& act) {
+    QTimer::singleShot(0, qApp, [&] {
+        auto& dialog = *qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        act(dialog);
+        auto* ok = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        ok->isEnabled() ? ok->click() : dialog.reject();
+    });
+    return askForDesign(nullptr, design, {knownScene(), knownScene()});
+}
+
+/// One step of what a person can do with a field; false for what is none.
+bool turn(QWidget& field) {
+    if (auto* line = qobject_cast<QLineEdit*>(&field)) {
+        line->setText(line->text() + QStringLiteral("1"));
+    } else if (auto* text = qobject_cast<QPlainTextEdit*>(&field)) {
+        text->appendPlainText(QStringLiteral("text | And more?"));
+    } else if (auto* combo = qobject_cast<QComboBox*>(&field)) {
+        combo->setCurrentIndex((combo->currentIndex() + 1) % combo->count());
+    } else if (auto* spin = qobject_cast<QSpinBox*>(&field)) {
+        spin->stepUp();
+    } else if (auto* number = qobject_cast<QDoubleSpinBox*>(&field)) {
+        number->stepUp();
+    } else if (auto* tick = qobject_cast<QCheckBox*>(&field)) {
+        tick->click();
+    } else {
+        return false;
+    }
+    return true;
+}
+
 } // namespace
 
 class TestStudyPanels : public QObject {
@@ -73,6 +185,10 @@ private slots:
     void keysAreAnswers();
     void theDockLooksLikeThis();
     void theSummarySaysWhatIsMissing();
+    void theDialogLooksLikeThis();
+    void theDialogKeepsWhatItIsGiven();
+    void eachFieldOfTheDialogChangesItsMemberAlone();
+    void aQuestionThatIsNoneIsSaid();
 };
 
 void TestStudyPanels::thePageLooksLikeThis() {
@@ -176,6 +292,62 @@ void TestStudyPanels::theSummarySaysWhatIsMissing() {
     COMPARE_CONTAINS(summaryOf(design), QStringLiteral("8 trials, about 3 min")); // 8 (3 * 4 + 2 * 3) s
     design.conditions.pop_back();
     COMPARE_CONTAINS(summaryOf(design), QStringLiteral("the procedure needs 2"));
+}
+
+void TestStudyPanels::theDialogLooksLikeThis() {
+    for (const auto& [procedure, name] : {std::pair(Procedure::Abx, "study-dialog"),
+                                          {Procedure::List, "study-dialog-list"},
+                                          {Procedure::Staircase, "study-dialog-staircase"}}) {
+        StudyDesign design = written();
+        design.procedure = procedure;
+        asked(design, [name = name](const QDialog& dialog) { COMPARE_SHOWN(shownIn(dialog), name); });
+    }
+}
+
+void TestStudyPanels::theDialogKeepsWhatItIsGiven() {
+    for (const Procedure procedure :
+         {Procedure::List, Procedure::Pairs, Procedure::Abx, Procedure::Staircase}) {
+        StudyDesign design = written();
+        design.procedure = procedure;
+        const auto same = asked(design, [](const QDialog&) {});
+        QVERIFY(same);
+        QCOMPARE(linesOf(*same), linesOf(design));
+        QVERIFY(*same == design);
+    }
+}
+
+void TestStudyPanels::eachFieldOfTheDialogChangesItsMemberAlone() {
+    StudyDesign design = written();
+    design.procedure = Procedure::Staircase;
+    const QStringList before = linesOf(design);
+    QStringList names;
+    asked(design, [&](const QDialog& dialog) {
+        for (const auto* each : dialog.findChildren<QWidget*>())
+            if (each->objectName().startsWith(QStringLiteral("study-"))) names << each->objectName();
+    });
+    QString text;
+    for (const QString& name : names) {
+        bool field = false;
+        const auto now =
+            asked(design, [&](const QDialog& dialog) { field = turn(*dialog.findChild<QWidget*>(name)); });
+        if (!field) continue;
+        text += name + (now ? QStringLiteral("\n") : QStringLiteral(" is refused\n"));
+        const QStringList after = now ? linesOf(*now) : before;
+        for (qsizetype i = 0; i < before.size(); ++i)
+            if (after[i] != before[i]) text += QStringLiteral("  %1 <- %2\n").arg(after[i], before[i]);
+    }
+    COMPARE_SHOWN(text, "study-dialog-edits");
+}
+
+void TestStudyPanels::aQuestionThatIsNoneIsSaid() {
+    QString said;
+    const auto none = asked(abx(), [&](const QDialog& dialog) {
+        dialog.findChild<QPlainTextEdit*>(QStringLiteral("study-questions"))
+            ->setPlainText(QStringLiteral("\n  \nguess | How?"));
+        said = dialog.findChild<QLabel*>(QStringLiteral("study-dialog-summary"))->text();
+    });
+    QVERIFY(!none); // it cannot be pressed
+    QCOMPARE(said, "questions: \"guess | How?\" begins with no kind; write it as in the examples");
 }
 
 TACTUM_GUI_TEST(TestStudyPanels)

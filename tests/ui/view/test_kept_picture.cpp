@@ -52,7 +52,7 @@ Scene sceneOf(Index meridians, Index rings) {
 
 struct KeptView {
     explicit KeptView(const Scene& shown) : scene(shown) {
-        view.resize(330, 250); // each picture is compared as a whole: small ones serve
+        view.resize(330, 250);                  // each picture is compared as a whole: small ones serve
         view.setPictureLimits({.motion = 1e9}); // what is exact does not depend on the machine
         view.setScene(scene);
         setWorld();
