@@ -3675,6 +3675,10 @@
             <translation>Hände weg: Es schwingt langsam, ohne die Masse.</translation>
         </message>
         <message>
+            <source>Kept as a condition of the study: %1</source>
+            <translation>Als Bedingung der Studie festgehalten: %1</translation>
+        </message>
+        <message>
             <source>Kept for a crash after</source>
             <translation>Für einen Absturz gesichert nach</translation>
         </message>
@@ -4481,6 +4485,10 @@
         <message>
             <source>Nothing has “%1” in its name.</source>
             <translation>Nichts hat „%1“ im Namen.</translation>
+        </message>
+        <message>
+            <source>Nothing is asked of the participant; questions are in Procedure.</source>
+            <translation>Die teilnehmende Person wird nichts gefragt; Fragen stehen unter „Ablauf“.</translation>
         </message>
         <message>
             <source>Nothing is left out.</source>

@@ -181,6 +181,8 @@ void StudyController::keepState() {
     if (agreed && !desk_->keep(name))
         bench_.notice.showError(
             tr("A condition needs a name of its own, and there may be %1 of them.").arg(kMaxConditions));
+    else if (agreed)
+        bench_.notice.showNote(tr("Kept as a condition of the study: %1").arg(name.trimmed()));
     bench_.dock("dock-study").raise();
 }
 

@@ -292,6 +292,13 @@ void TestStudyPanels::theSummarySaysWhatIsMissing() {
     COMPARE_CONTAINS(summaryOf(design), QStringLiteral("8 trials, about 3 min")); // 8 (3 * 4 + 2 * 3) s
     design.conditions.pop_back();
     COMPARE_CONTAINS(summaryOf(design), QStringLiteral("the procedure needs 2"));
+    const QString nothing = QStringLiteral("Nothing is asked of the participant");
+    design.questions.clear();
+    COMPARE_LACKS(summaryOf(design), nothing); // they choose
+    design.procedure = Procedure::List;
+    COMPARE_CONTAINS(summaryOf(design), nothing);
+    design.questions = abx().questions;
+    COMPARE_LACKS(summaryOf(design), nothing);
 }
 
 void TestStudyPanels::theDialogLooksLikeThis() {

@@ -215,6 +215,8 @@ void TestStudy::anAbxFromNothingToItsLogs() {
     QVERIFY(program.open(writeCube(*folder_)));
     makeAllFeel(program, QStringLiteral("150"));
     keepAs(program, QStringLiteral("soft"));
+    COMPARE_CONTAINS(program.window->findChild<NoticeBar*>()->text(),
+                     QStringLiteral("condition of the study: soft"));
     makeAllFeel(program, QStringLiteral("600"));
     keepAs(program, QStringLiteral("stiff"));
     inDialog([](QDialog& dialog) {
