@@ -54,9 +54,10 @@ QString summaryOf(const StudyDesign& design) {
                    : StudyPanel::tr("%n trial(s)", nullptr, trials)) +
                  StudyPanel::tr(", about %1 min").arg(int(std::ceil(expectedSeconds(design) / 60)));
     lines << StudyPanel::tr("%n question(s) after each", nullptr, int(design.questions.size()));
-    if (design.procedure == Procedure::List && design.questions.empty())
+    if (const auto sound = check(design); !sound)
+        lines << QString::fromStdString(sound.error().text);
+    else if (design.procedure == Procedure::List && design.questions.empty())
         lines << StudyPanel::tr("Nothing is asked of the participant; questions are in Procedure.");
-    if (const auto sound = check(design); !sound) lines << QString::fromStdString(sound.error().text);
     return lines.join(u'\n');
 }
 
