@@ -509,7 +509,7 @@ private slots:
         SelectionCount count(document);
         QCOMPARE(count.text(), "");
         const auto says = [&](const char* text) {
-            (void)waitFor([&] { return count.text() == QLatin1String(text); });
+            (void)waitFor([&] { return count.text() == QString::fromUtf8(text); });
             QCOMPARE(count.text(), text);
         };
         document.select({{1, 0}});
