@@ -24,19 +24,19 @@ std::string docOf(const AxisField& field) {
            (way == angle ? "" : " Of a slider: " + way) + "\nAn Error where it is out of its range.";
 }
 
-/// At the end of its range, and beyond all ends, a stop is none.
+/// Beyond all ends a stop is none, as it is at the end of its range.
 double valueOf(const AxisField& field, const AxisJoint& joint, const py::handle& value) {
     if (field.isStop() && py::isinstance<py::float_>(value) && value.cast<double>() == field.endless())
         return field.endless();
-    const Parameter& parameter = field.of(joint.kind);
-    const double number = allowed(parameter, value, nameOf(field));
-    return field.isStop() && number == parameter.initial ? field.endless() : number;
+    return allowed(field.of(joint.kind), value, nameOf(field));
 }
 
 Property<AxisJoint> axisNumber(const AxisField& field) {
-    return {
-        nameOf(field), docOf(field), [&field](const AxisJoint& of) { return py::float_(of.*field.value); },
-        [&field](AxisJoint& of, const py::handle& value) { of.*field.value = valueOf(field, of, value); }};
+    return {nameOf(field), docOf(field),
+            [&field](const AxisJoint& of) { return py::float_(of.*field.value); },
+            [&field](AxisJoint& of, const py::handle& value) {
+                setFigure(of, field, valueOf(field, of, value));
+            }};
 }
 
 Property<AxisJoint> directionOfJoint() {

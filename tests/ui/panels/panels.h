@@ -25,6 +25,16 @@ template <class T> T& part(QWidget& in, const char* name) {
     return *found;
 }
 
+/// The lines that went and those that came, each on a line.
+inline QString changedLines(const QStringList& before, const QStringList& after) {
+    QString text;
+    for (const QString& line : before)
+        if (!after.contains(line)) text += QStringLiteral("  - ") + line + u'\n';
+    for (const QString& line : after)
+        if (!before.contains(line)) text += QStringLiteral("  + ") + line + u'\n';
+    return text;
+}
+
 /// A square of two triangles for each of `surfaces`, one above the other, 1 cm apart; with texture
 /// coordinates and normals where they are asked for.
 inline std::shared_ptr<const TriangleSoup> plates(int surfaces, bool uvs = false, bool normals = false) {

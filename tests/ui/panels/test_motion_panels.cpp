@@ -108,16 +108,29 @@ public:
         text_ += what + QStringLiteral(": ") +
                  (more == 0 ? QStringLiteral("no step") : u'"' + document_.history().undoText() + u'"') +
                  (more > 1 ? QStringLiteral(" and %1 more").arg(more - 1) : QString()) + u'\n';
-        for (const QString& line : before)
-            if (!after.contains(line)) text_ += QStringLiteral("  - ") + line + u'\n';
-        for (const QString& line : after)
-            if (!before.contains(line)) text_ += QStringLiteral("  + ") + line + u'\n';
+        text_ += changedLines(before, after);
     }
     const QString& text() const { return text_; }
 
 private:
     Document& document_;
     QStringList (*figures_)(const Scene&);
+    QString text_;
+};
+
+/// What is shown in each state otherwise than in the one before.
+class States {
+public:
+    explicit States(const QString& first) : before_(first.split(u'\n')) {}
+    void note(const char* state, const QString& shown) {
+        const QStringList now = shown.split(u'\n');
+        text_ += QLatin1String(state) + QStringLiteral(":\n") + changedLines(before_, now);
+        before_ = now;
+    }
+    const QString& text() const { return text_; }
+
+private:
+    QStringList before_;
     QString text_;
 };
 
@@ -190,23 +203,22 @@ private slots:
 
     void itShowsHowAnObjectIsHeld() {
         Panel panel(lidAndBox());
-        COMPARE_SHOWN(panel.shown(), "body-none");
+        COMPARE_SHOWN(panel.shown(), "body");
+        States states(panel.shown());
+        const auto then = [&](const char* name) {
+            panel.click(name);
+            states.note(name, panel.shown());
+        };
         chooseObject(panel.document, 0);
-        COMPARE_SHOWN(panel.shown(), "body-still");
-        panel.click("hold-loose");
-        COMPARE_SHOWN(panel.shown(), "body-loose");
-        panel.click("hold-hinge");
-        panel.click("joint-add");
-        COMPARE_SHOWN(panel.shown(), "body-hinges");
-        panel.click("joint-remove");
-        panel.click("hold-slider");
-        COMPARE_SHOWN(panel.shown(), "body-slider");
-        panel.click("hold-path");
-        COMPARE_SHOWN(panel.shown(), "body-path");
+        states.note("still", panel.shown());
+        for (const char* name :
+             {"hold-loose", "hold-hinge", "joint-add", "joint-remove", "hold-slider", "hold-path"})
+            then(name);
         chooseObject(panel.document, 1); // what the lid lies on
-        COMPARE_SHOWN(panel.shown(), "body-beside");
+        states.note("beside", panel.shown());
         panel.document.select({});
-        COMPARE_SHOWN(panel.shown(), "body-world");
+        states.note("world", panel.shown());
+        COMPARE_SHOWN(states.text(), "body-states");
     }
 
     void aJointOfAnotherKindIsLeftAsItIs() {
@@ -347,10 +359,11 @@ private slots:
         static_cast<QWidget&>(panel).resize(320, 500);
         panel.show();
         QVERIFY(QTest::qWaitForWindowExposed(&panel));
-        COMPARE_SHOWN(shownIn(panel), "place-none");
+        COMPARE_SHOWN(shownIn(panel), "place");
+        States states(shownIn(panel));
         adopt(document, lidAndBox());
         chooseObject(document, 0);
-        COMPARE_SHOWN(shownIn(panel), "place");
+        states.note("one", shownIn(panel));
         const QStringList first = placesOf(document.scene());
         Changes changes(document, placesOf);
         for (const char* name :
@@ -367,7 +380,8 @@ private slots:
         COMPARE_NEAR(part<NumberBox>(panel, "scale").value(), 1.0, 1e-9, "times");
         document.selectObjects({document.scene().objects[1].id, document.scene().objects[0].id});
         changes.note(QStringLiteral("place-x of two"), [&] { turnSeven(panel, "place-x"); });
-        COMPARE_SHOWN(shownIn(panel), "place-two");
+        states.note("two", shownIn(panel));
+        COMPARE_SHOWN(states.text(), "place-states");
         COMPARE_SHOWN(changes.text(), "place-edits");
         while (document.history().canUndo())
             document.history().undo();

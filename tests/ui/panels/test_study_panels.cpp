@@ -17,6 +17,7 @@
 #include <QTimer>
 #include <QTreeWidget>
 
+#include "core/study/study_file.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
@@ -91,52 +92,9 @@ StudyDesign written() {
     return design;
 }
 
-/// Each member, in a line.
-QStringList linesOf(const StudyDesign& d) {
-    const auto all = [](const auto& list, auto&& word) {
-        QStringList words;
-        for (const auto& each : list)
-            words << word(each);
-        return words.join(QStringLiteral(", "));
-    };
-    const auto text = [](const std::string& each) { return QString::fromStdString(each); };
-    const auto number = [](double each) { return QString::number(each, 'g', 6); };
-    const StaircaseRule& s = d.staircase;
-    return {QStringLiteral("name ") + text(d.name),
-            QStringLiteral("instructions ") + text(d.instructions),
-            QStringLiteral("procedure ") + QString::number(int(d.procedure)),
-            QStringLiteral("order ") + QString::number(int(d.order)),
-            QStringLiteral("repeats ") + QString::number(d.repeats),
-            QStringLiteral("seed ") + QString::number(d.seed),
-            QStringLiteral("prompt ") + text(d.prompt),
-            QStringLiteral("questions ") + all(d.questions,
-                                               [&](const StudyQuestion& q) {
-                                                   return QStringLiteral("%1 %2 %3 %4 %5 [%6]")
-                                                       .arg(int(q.kind))
-                                                       .arg(text(q.text), text(q.low), text(q.high))
-                                                       .arg(q.steps)
-                                                       .arg(all(q.choices, text));
-                                               }),
-            QStringLiteral("stimulus ") + number(d.stimulusSeconds),
-            QStringLiteral("pause ") + number(d.pauseSeconds),
-            QStringLiteral("again %1").arg(d.again),
-            QStringLiteral("off between %1").arg(d.forcesOffBetween),
-            QStringLiteral("view %1").arg(int(d.view)),
-            QStringLiteral("every %1").arg(d.touchEvery),
-            QStringLiteral("surface ") + text(s.surface),
-            QStringLiteral("object ") + text(s.object),
-            QStringLiteral("parameter ") + text(s.parameter),
-            QStringLiteral("compares %1").arg(s.compares),
-            QStringLiteral("reference ") + number(s.reference),
-            QStringLiteral("start ") + number(s.start),
-            QStringLiteral("smallest ") + number(s.smallest),
-            QStringLiteral("largest ") + number(s.largest),
-            QStringLiteral("steps ") + all(s.steps, number),
-            QStringLiteral("ratio %1").arg(s.ratio),
-            QStringLiteral("down %1").arg(s.down),
-            QStringLiteral("reversals %1").arg(s.reversals),
-            QStringLiteral("used %1").arg(s.used),
-            QStringLiteral("trials %1").arg(s.trials)};
+/// Each member, as a study's file has it.
+QStringList linesOf(const StudyDesign& design) {
+    return QString::fromStdString(designText(design)).split(u'\n');
 }
 
 /// What the dialog gives after a person did something in it and pressed OK, or nothing where that cannot be
@@ -302,12 +260,17 @@ void TestStudyPanels::theSummarySaysWhatIsMissing() {
 }
 
 void TestStudyPanels::theDialogLooksLikeThis() {
+    QStringList first;
     for (const auto& [procedure, name] : {std::pair(Procedure::Abx, "study-dialog"),
                                           {Procedure::List, "study-dialog-list"},
                                           {Procedure::Staircase, "study-dialog-staircase"}}) {
         StudyDesign design = written();
         design.procedure = procedure;
-        asked(design, [name = name](const QDialog& dialog) { COMPARE_SHOWN(shownIn(dialog), name); });
+        QString shown;
+        asked(design, [&](const QDialog& dialog) { shown = shownIn(dialog); });
+        const QStringList now = shown.split(u'\n');
+        COMPARE_SHOWN(first.isEmpty() ? shown : changedLines(first, now), name);
+        if (first.isEmpty()) first = now;
     }
 }
 
@@ -339,9 +302,7 @@ void TestStudyPanels::eachFieldOfTheDialogChangesItsMemberAlone() {
             asked(design, [&](const QDialog& dialog) { field = turn(*dialog.findChild<QWidget*>(name)); });
         if (!field) continue;
         text += name + (now ? QStringLiteral("\n") : QStringLiteral(" is refused\n"));
-        const QStringList after = now ? linesOf(*now) : before;
-        for (qsizetype i = 0; i < before.size(); ++i)
-            if (after[i] != before[i]) text += QStringLiteral("  %1 <- %2\n").arg(after[i], before[i]);
+        if (now) text += changedLines(before, linesOf(*now));
     }
     COMPARE_SHOWN(text, "study-dialog-edits");
 }
