@@ -1,6 +1,9 @@
 // What tests of panels share: an application with settings of its own, and a scene of a few known values.
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
 #include <QApplication>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -25,13 +28,25 @@ template <class T> T& part(QWidget& in, const char* name) {
     return *found;
 }
 
-/// The lines that went and those that came, each on a line.
+/// As `diff` says it: the lines that went and those that came, in their order, around what both have in
+/// common.
 inline QString changedLines(const QStringList& before, const QStringList& after) {
+    const qsizetype m = before.size(), n = after.size();
+    std::vector<std::vector<int>> common(std::size_t(m) + 1,
+                                         std::vector<int>(std::size_t(n) + 1)); // from i, j on
+    const auto at = [&](qsizetype i, qsizetype j) -> int& { return common[std::size_t(i)][std::size_t(j)]; };
+    for (qsizetype i = m; i-- > 0;)
+        for (qsizetype j = n; j-- > 0;)
+            at(i, j) = before[i] == after[j] ? at(i + 1, j + 1) + 1 : std::max(at(i + 1, j), at(i, j + 1));
     QString text;
-    for (const QString& line : before)
-        if (!after.contains(line)) text += QStringLiteral("  - ") + line + u'\n';
-    for (const QString& line : after)
-        if (!before.contains(line)) text += QStringLiteral("  + ") + line + u'\n';
+    for (qsizetype i = 0, j = 0; i < m || j < n;) {
+        if (i < m && j < n && before[i] == after[j])
+            ++i, ++j;
+        else if (j == n || (i < m && at(i + 1, j) >= at(i, j + 1)))
+            text += QStringLiteral("  - ") + before[i++] + u'\n';
+        else
+            text += QStringLiteral("  + ") + after[j++] + u'\n';
+    }
     return text;
 }
 
