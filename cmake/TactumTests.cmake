@@ -90,22 +90,20 @@ function(tactum_tests room)
 
   foreach(name IN LISTS T_TESTS)
     set(test test_${name}${T_SUFFIX})
+    set(command COMMAND ${T_UNDER} $<TARGET_FILE:${program}> test_${name})
     if(name IN_LIST T_GUI)
-      set(screen ${TACTUM_SCREEN})
+      tactum_gui_ctest(${test} ROOM ${room} LABELS ${T_LABELS} ${command})
     else()
-      set(screen)
+      tactum_ctest(${test} ROOM ${room} LABELS ${T_LABELS} ${command})
     endif()
-    tactum_ctest(${test} ROOM ${room} LABELS ${T_LABELS}
-      COMMAND ${screen} ${T_UNDER} $<TARGET_FILE:${program}> test_${name})
     if(name IN_LIST T_LONG)
       set_property(TEST ${test} APPEND PROPERTY LABELS long)
-      set_property(TEST ${test} PROPERTY COST 100)
+      if(NOT name IN_LIST T_GUI)
+        set_property(TEST ${test} PROPERTY COST 100)
+      endif()
     endif()
     if(name IN_LIST T_ALONE)
       set_property(TEST ${test} PROPERTY RUN_SERIAL ON)
-    endif()
-    if(name IN_LIST T_GUI)
-      tactum_gui_test(${test})
     endif()
   endforeach()
 endfunction()
@@ -118,21 +116,20 @@ function(tactum_ctest name)
   set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS "${T_ROOM};${T_LABELS}" ENVIRONMENT "TACTUM_BUSY=1")
 endfunction()
 
-# What begins the command of a test that shows windows.
-set(TACTUM_SCREEN "${PROJECT_SOURCE_DIR}/tests/support/on_a_screen")
-
-# tactum_gui_test(NAME [variable=value...]): the test of that name shows windows, with more of an environment. Its command
-# begins with TACTUM_SCREEN.
-function(tactum_gui_test test)
+# tactum_gui_ctest(NAME ROOM room COMMAND words... [LABELS label...] [ENVIRONMENT variable=value...]): as tactum_ctest, of a
+# test that shows windows: on a screen of its own.
+function(tactum_gui_ctest test)
+  cmake_parse_arguments(T "" "ROOM" "COMMAND;LABELS;ENVIRONMENT" ${ARGN})
+  tactum_ctest(${test} ROOM ${T_ROOM} LABELS ${T_LABELS} gui
+    COMMAND "${PROJECT_SOURCE_DIR}/tests/support/on_a_screen" ${T_COMMAND})
   set_property(TEST ${test} PROPERTY COST 200) # first, for the last of them ends the run
-  set_property(TEST ${test} APPEND PROPERTY LABELS gui)
   # Settings of its own: a test neither reads nor changes the person's, or those of another one beside it.
   set_property(TEST ${test} APPEND PROPERTY
     ENVIRONMENT "QT_QPA_PLATFORM=xcb" "XDG_CONFIG_HOME=${CMAKE_BINARY_DIR}/settings/${test}"
     "MESA_SHADER_CACHE_DIR=${CMAKE_BINARY_DIR}/shaders" # one for all, wherever a test puts its folders
     # Drawing without a graphics card in the thread that asks for it, as fast as with one of its own: docs/testing.md
     "LP_NUM_THREADS=0"
-    ${ARGN})
+    ${T_ENVIRONMENT})
 endfunction()
 
 # tactum_quiet_test(ROOM NAME [PROGRAM name] FUNCTIONS function...): functions of a test of the room that judge the
