@@ -56,13 +56,17 @@ Outliner::Outliner(Document& document, QWidget* parent)
     connect(this, &QTreeWidget::itemChanged, this, &Outliner::rename);
     connect(this, &QTreeWidget::itemClicked, this, &Outliner::toggle);
     connect(this, &QTreeWidget::itemCollapsed, this, [this](const QTreeWidgetItem* item) {
-        if (!filling_ && kindOf(item) == kGroup) folded_.insert(groupOf(item));
+        if (filling_) return;
+        if (kindOf(item) == kGroup) folded_.insert(groupOf(item));
+        if (isObject(item)) foldedObjects_.insert(refOf(item).object);
     });
     connect(this, &QTreeWidget::itemExpanded, this, [this](const QTreeWidgetItem* item) {
-        if (!filling_ && kindOf(item) == kGroup) folded_.erase(groupOf(item));
+        if (filling_) return;
+        if (kindOf(item) == kGroup) folded_.erase(groupOf(item));
+        if (isObject(item)) foldedObjects_.erase(refOf(item).object);
     });
     connect(&document_, &Document::opened, this, [this] {
-        folded_.clear();
+        folded_.clear(), foldedObjects_.clear();
         rebuild();
     });
     rebuild();
@@ -122,9 +126,14 @@ QTreeWidgetItem* Outliner::groupItem(const std::string& name, QList<QTreeWidgetI
 
 /// But for what is searched for.
 void Outliner::foldAgain() {
-    for (const auto& [name, item] : groups_)
-        if (const bool open = !words_.isEmpty() || !folded_.contains(name); item->isExpanded() != open)
+    const auto fold = [this](QTreeWidgetItem* item, bool folded) {
+        if (const bool open = !words_.isEmpty() || !folded; item->isExpanded() != open)
             item->setExpanded(open);
+    };
+    for (const auto& [name, item] : groups_)
+        fold(item, folded_.contains(name));
+    for (const Listed& each : listed_)
+        fold(each.item, foldedObjects_.contains(each.id));
 }
 
 /// A group is visible as long as anything of it is.

@@ -105,7 +105,8 @@ private:
     };
     std::vector<Listed> listed_; ///< what the tree shows, in its order
     std::map<std::string, QTreeWidgetItem*> groups_;
-    std::set<std::string> folded_;     ///< of the groups
+    std::set<std::string> folded_; ///< of the groups
+    std::set<ObjectId> foldedObjects_;
     std::set<ObjectId> chosenObjects_; ///< by their own rows, the last time that rows were
     std::set<std::string> chosenGroups_;
     QString words_;                    ///< that are searched for

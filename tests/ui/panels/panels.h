@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <QApplication>
+#include <QMouseEvent>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -26,6 +27,15 @@ template <class T> T& part(QWidget& in, const char* name) {
     auto* found = in.findChild<T*>(QLatin1String(name));
     if (!found) qFatal("no %s", name);
     return *found;
+}
+
+/// To the widget itself: with no pointer of the screen, so that nothing comes between.
+inline void mouse(QWidget& widget, QEvent::Type what, QPoint at, Qt::MouseButton button = Qt::LeftButton,
+                  Qt::KeyboardModifiers keys = {}) {
+    QMouseEvent event(what, at, widget.mapToGlobal(QPointF(at)),
+                      what == QEvent::MouseMove ? Qt::NoButton : button,
+                      what == QEvent::MouseButtonRelease ? Qt::MouseButtons() : button, keys);
+    QApplication::sendEvent(&widget, &event);
 }
 
 /// As `diff` says it: the lines that went and those that came, in their order, around what both have in
