@@ -21,10 +21,14 @@ if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Check CACHE STRING "" FORCE)
 endif()
 
+# With it or without it the compiler is told the same: what builds here builds elsewhere. It looks into precompiled headers when
+# it is told that they say all, and when g++ shows them in what it preprocesses.
 find_program(CCACHE ccache)
 if(CCACHE)
-  set(CMAKE_C_COMPILER_LAUNCHER "${CCACHE}")
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE}")
+  set(launcher "${CMAKE_COMMAND}" -E env "CCACHE_SLOPPINESS=pch_defines,time_macros" "${CCACHE}")
+  set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
+  add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fpch-preprocess>)
 endif()
 
 # It links in a fifth of the time.
@@ -69,29 +73,29 @@ if(TACTUM_SANITIZE)
 endif()
 
 if(TACTUM_FUZZ)
-  # Every branch reports where it went, and every fault ends the program. Warnings are g++'s business.
-  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
+  # Every branch reports where it went, and every fault ends the program. Warnings are g++'s business. Four kinds of
+  # undefined behaviour are left to the address sanitizer and the preset ubsan: they are a quarter of the compiler's time.
+  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize=null,object-size,vptr,alignment -fno-sanitize-recover=all
     -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
 # tactum_headers(NAME LINKS library... HEADERS <header>...)
-# Headers that most sources want, compiled once for all targets that tactum_unity() gives them to. A compiler cache would not
-# look into them, and serves better.
+# Headers that most sources want, compiled once for all targets that tactum_unity() gives them to.
 function(tactum_headers name)
   cmake_parse_arguments(H "" "" "LINKS;HEADERS" ${ARGN})
   set(nothing "${CMAKE_BINARY_DIR}/nothing.cpp")
   file(CONFIGURE OUTPUT "${nothing}" CONTENT "")
   add_library(${name} OBJECT EXCLUDE_FROM_ALL "${nothing}")
   target_link_libraries(${name} PRIVATE tactum_options ${H_LINKS})
-  if(TACTUM_UNITY_BATCH AND NOT CCACHE)
+  if(TACTUM_UNITY_BATCH)
     target_precompile_headers(${name} PRIVATE ${H_HEADERS})
   endif()
 endfunction()
 
 # tactum_precompiled(TARGET HEADERS): a target reads those of tactum_headers(HEADERS ...).
 function(tactum_precompiled target headers)
-  if(TACTUM_UNITY_BATCH AND NOT CCACHE)
+  if(TACTUM_UNITY_BATCH)
     target_precompile_headers(${target} REUSE_FROM ${headers})
   endif()
 endfunction()

@@ -68,7 +68,7 @@ function(tactum_tests room)
   add_executable(${program} ${sources})
   set_target_properties(${program} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
   tactum_moc(${program} ${T_TESTS})
-  if(room MATCHES "^ui")
+  if(room MATCHES "^ui" OR T_USES MATCHES "(^|;)ui_")
     tactum_unity(${program} tactum_window_test_headers)
   elseif("Qt6::Gui" IN_LIST T_LINKS) # between the two
     tactum_unity(${program})
