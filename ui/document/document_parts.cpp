@@ -115,7 +115,8 @@ void Document::bringIn(std::vector<ReadPart> parts, SceneAddition told) {
     const QString what = told.files.size() > 1 ? tr("%1 files").arg(told.files.size())
                          : told.files.size() == 1
                              ? QString::fromStdU16String(told.files[0].filename().u16string())
-                             : QString::fromStdString(next.objects.back().name);
+                         : told.objects.size() > 1 ? tr("%1 objects").arg(told.objects.size())
+                                                   : QString::fromStdString(next.objects.back().name);
     arrive(tr("Add %1").arg(what), std::move(next), std::move(taken));
     selectFaces({});
     selectObjects(told.objects);

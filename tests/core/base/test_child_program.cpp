@@ -2,10 +2,13 @@
 #include <csignal>
 #include <cstdio>
 #include <fcntl.h>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <QCoreApplication>
 #include <QTest>
 
 #include "core/base/child_program.h"
@@ -65,6 +68,20 @@ private slots:
 
     void whatThereIsNotCannotBeStarted() {
         QCOMPARE(run({}, with([&](ChildProgram& p) { p.program = "/none/such"; })).started, ENOENT);
+    }
+
+    /// Beside the program that runs, as it is built, or where an installation puts its helpers.
+    void helpersStandBesideTheProgram() {
+        const auto here = std::filesystem::path(QCoreApplication::applicationFilePath().toStdString());
+        QCOMPARE(programBeside(here.filename()), here);
+        QCOMPARE(programBeside("none-such"), std::filesystem::path());
+        const auto helpers = here.parent_path() / "../libexec/tactum";
+        const std::string name = "helper-" + std::to_string(getpid());
+        std::filesystem::create_directories(helpers);
+        std::ofstream(helpers / name) << "#!/bin/sh\n";
+        QCOMPARE(programBeside(name), helpers / name);
+        std::filesystem::remove(helpers / name);
+        QCOMPARE(programBeside(name), std::filesystem::path());
     }
 
     void nothingElseIsOpen() {

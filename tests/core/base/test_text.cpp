@@ -101,6 +101,10 @@ private slots:
         row("control characters", QByteArray("a\0\t\n\x1F\x7F z", 8), "a????? z");
         stays("a blank and a tilde", " ~");
         row("control characters of two bytes", "\xC2\x80\xC2\x9F", "??");
+        row("the first and the last that embed or override a direction", "\u202A\u202E", "??");
+        row("those that isolate one", "\u2066\u2069", "??");
+        row("marks of one", "\u200E\u200F\u061C", "???");
+        stays("their neighbours", "\u2029\u202F\u2065\u206A\u200D\u2010\u061B\u061D");
     }
 
     void whatIsNoUtf8IsAQuestionMark() {

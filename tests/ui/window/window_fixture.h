@@ -7,12 +7,12 @@
 
 #include <QPoint>
 #include <QString>
-#include <QTemporaryDir>
 
 #include "core/port/hand_target.h"
 #include "core/runtime/local_engine.h"
 #include "core/safety/force_gate.h"
 #include "tests/support/waiting.h"
+#include "tests/ui/cube_file.h"
 #include "ui/document/document.h"
 #include "ui/window/main_window.h"
 
@@ -28,11 +28,6 @@ void useSettingsIn(const QString& folder);
 
 /// For the macros of Qt Test, which wait with the patience of tests/support/patience.h whatever it says here.
 inline constexpr int kPatience = 60000; // ms
-
-/// A cube of 0.1 m about the origin with a surface for each of its six sides, in the order of their names:
-/// right, left, top, bottom, front, back. Returns the file.
-QString writeCube(const QTemporaryDir& folder, double scale = 1);
-QString writeFile(const QTemporaryDir& folder, const QString& name, const QByteArray& content);
 
 /// Beside a person who holds on to the keyboard: when another program takes it, or nobody has it since a
 /// dialog went (there is no window manager), the window has it again before the test does anything else.

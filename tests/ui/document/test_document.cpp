@@ -4,12 +4,23 @@
 
 #include "core/scene/surface_colours.h"
 #include "tests/support/compare.h"
-#include "tests/support/gui_test_program.h"
-#include "tests/ui/window/window_fixture.h"
+#include "tests/support/test_program.h"
+#include "tests/support/waiting.h"
+#include "tests/ui/cube_file.h"
+#include "ui/document/document.h"
 
 namespace test_document {
 
 using namespace tactum;
+
+namespace {
+
+/// Whether an edit that a worker makes has ended since.
+bool endedNow(QSignalSpy& spy) {
+    return test::waitFor([&, before = spy.size()] { return spy.size() > before; });
+}
+
+} // namespace
 
 class TestDocument : public QObject {
     Q_OBJECT
@@ -149,7 +160,7 @@ void TestDocument::lockedSurfacesStayAsTheyAre() {
     document_->selectFaces({cube, {8, 9}}); // those of the front
     document_->splitSelection();
     QSignalSpy ended(document_.get(), &Document::editEnded);
-    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatience);
+    QTRY_COMPARE(ended.size(), 1);
     QVERIFY(ended[0][0].toString().contains(QStringLiteral("locked")));
     QVERIFY(document_->scene() == locked);
     document_->setLocked(front(), false);
@@ -168,7 +179,7 @@ void TestDocument::trianglesSplitOffAndMergeBack() {
     document_->selectFaces({cube, {1}}, SelectMode::Add);
     QCOMPARE(document_->selectedFaces().faces, (std::vector<Index>{0, 1, 8}));
     document_->splitSelection();
-    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatience);
+    QTRY_COMPARE(ended.size(), 1);
     const SceneObject& split = document_->scene().objects[0];
     QCOMPARE(split.surfaces.size(), std::size_t(6));
     QCOMPARE(document_->selection(), std::optional(SurfaceRef{cube, 5}));
@@ -178,7 +189,7 @@ void TestDocument::trianglesSplitOffAndMergeBack() {
 
     document_->select({{cube, 5}, {cube, 3}});
     document_->mergeSelected();
-    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 2, kPatience);
+    QTRY_COMPARE(ended.size(), 2);
     const SceneObject& merged = document_->scene().objects[0];
     QCOMPARE(merged.surfaces.size(), std::size_t(5));
     QCOMPARE(merged.geometry->surfaceOf[0], Index(3));
@@ -203,7 +214,7 @@ void TestDocument::mergingLeavesTheOthersAsTheyWere() {
             if (a == b) continue;
             document_->select({{cube, a}, {cube, b}});
             document_->mergeSelected();
-            QVERIFY(ended.wait(kPatience));
+            QVERIFY(endedNow(ended));
             const SceneObject& is = document_->scene().objects[0];
             QCOMPARE(is.surfaces.size(), std::size_t(5));
             QCOMPARE(document_->selection(), std::optional(SurfaceRef{cube, std::min(a, b)}));
@@ -248,7 +259,7 @@ void TestDocument::splittingLeavesTheOthersAsTheyWere() {
     for (Index face = 0; face < 12; ++face) {
         document_->selectFaces({cube, {face}});
         document_->splitSelection();
-        QVERIFY(ended.wait(kPatience));
+        QVERIFY(endedNow(ended));
         const SceneObject& is = document_->scene().objects[0];
         QCOMPARE(is.surfaces.size(), std::size_t(8));
         for (Index triangle = 0; triangle < 12; ++triangle) {
@@ -295,7 +306,7 @@ void TestDocument::mergingOfTooFewOrOfLockedOnesIsRefused() {
     // A locked one among others stays what it is.
     document_->select({{cube, 0}, {cube, 2}, {cube, 1}});
     document_->mergeSelected();
-    QVERIFY(ended.wait(kPatience));
+    QVERIFY(endedNow(ended));
     const SceneObject& is = document_->scene().objects[0];
     QCOMPARE(is.surfaces.size(), std::size_t(5));
     QVERIFY(is.surfaces[0] == before.objects[0].surfaces[1]);
@@ -313,13 +324,13 @@ void TestDocument::whatIsChangedMeanwhileIsNotChangedAgain() {
     merge();
     document_->setMaterialValue(front(), kMaterialFields[0], 500);
     const Scene edited = document_->scene();
-    QVERIFY(ended.wait(kPatience));
+    QVERIFY(endedNow(ended));
     QVERIFY(ended[0][0].toString().contains(QStringLiteral("was changed meanwhile")));
     QVERIFY(document_->scene() == edited);
     QCOMPARE(document_->history().count(), 1);
     merge();
     document_->removeObject(cube);
-    QVERIFY(ended.wait(kPatience));
+    QVERIFY(endedNow(ended));
     QVERIFY(ended[1][0].toString().contains(QStringLiteral("was changed meanwhile")));
     QVERIFY(document_->scene().objects.empty());
     QCOMPARE(document_->history().count(), 2);
@@ -421,12 +432,12 @@ void TestDocument::anOpeningCanBeCancelled() {
     document_->open(file.toStdString());
     QTest::qWait(50);
     document_->cancelOpen();
-    QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
+    QTRY_COMPARE(failed.size(), 1);
     QCOMPARE(opened.size(), 0);
     QVERIFY(document_->scene() == before);
 }
 
-TACTUM_GUI_TEST(TestDocument)
+TACTUM_TEST(TestDocument)
 
 } // namespace test_document
 
