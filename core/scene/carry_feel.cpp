@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/scene/groups.h"
+#include "core/scene/surface_colours.h"
 
 namespace tactum {
 namespace {
@@ -69,7 +70,8 @@ public:
 
     CarriedFeel carry(Scene& onto) {
         oneAlone_ = onlySurfaceOf(onto) ? onlySurfaceOf(from_) : std::nullopt;
-        for (SceneObject& object : onto.objects)
+        for (SceneObject& object : onto.objects) {
+            givesColours_ = !isColoured(object);
             for (Surface& surface : object.surfaces) {
                 if (const auto namesake = namesakeOf(object, surface)) {
                     ++carried_.surfaces;
@@ -85,6 +87,7 @@ public:
                         "surface " + surface.name + " has no partner; it feels as it did",
                         "give it the name that it had, or set its feel by hand");
             }
+        }
         carrySets(onto);
         carryGroups(onto);
         sayWhatIsLeft(onto);
@@ -163,6 +166,7 @@ private:
         surface.sides = partner.sides;
         surface.visible = partner.visible;
         surface.locked = partner.locked;
+        if (givesColours_) surface.colour = partner.colour;
         giveLayers(from, object, surface);
     }
 
@@ -270,6 +274,7 @@ private:
     std::map<std::string, std::vector<Place>> named_;
     std::set<const Surface*> used_;
     std::optional<Place> oneAlone_; ///< of `from`, where neither scene has another
+    bool givesColours_ = false;     ///< to the object that gets feel now: its file says none
     CarriedFeel carried_;
 };
 

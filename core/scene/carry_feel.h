@@ -27,8 +27,9 @@ struct CarriedFeel {
 /// same; else it is the only surface of an object of the same name, or both scenes have one surface alone.
 /// plainName() is what counts of a name. What is painted comes along where the mesh has as many vertices and
 /// the same triangles, but not to an object of another name at another place; where the shape is not the
-/// same, that is said. Shapes, colours and bodies stay those of `onto`; the proxy's radius becomes that of
-/// `from`, its cameras come along in place of those of their names, and the finger path where `onto` has
+/// same, that is said. Shapes and bodies stay those of `onto`, and so do the colours of objects that
+/// isColoured(); the others get those of the partners, too. The proxy's radius becomes that of `from`, its
+/// cameras come along in place of those of their names, and the finger path where `onto` has
 /// none. Thread: any but real time.
 CarriedFeel carryFeel(const Scene& from, Scene& onto, const std::vector<SceneObject>* gone = nullptr);
 

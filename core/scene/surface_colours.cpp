@@ -32,10 +32,14 @@ Eigen::Vector3f colourApartFrom(std::span<const Surface> surfaces) {
         kPalette, {}, [&](const Eigen::Vector3f& colour) { return distanceTo(colour, surfaces); });
 }
 
+bool isColoured(const SceneObject& object) {
+    return std::ranges::any_of(object.surfaces,
+                               [](const Surface& surface) { return surface.colour != Surface{}.colour; });
+}
+
 void tellSurfacesApart(Scene& scene) {
-    const auto isPlain = [](const Surface& surface) { return surface.colour == Surface{}.colour; };
     for (SceneObject& object : scene.objects) {
-        if (!std::ranges::all_of(object.surfaces, isPlain)) continue;
+        if (isColoured(object)) continue;
         for (std::size_t i = 1; i < object.surfaces.size(); ++i)
             object.surfaces[i].colour = colourApartFrom(std::span(object.surfaces).first(i));
     }

@@ -17,9 +17,12 @@ Eigen::Vector3f colourApartFrom(std::span<const Surface> surfaces);
 /// them; none for a reference to nothing. Thread: any but real time.
 std::vector<SurfaceRef> surfacesColouredLike(const Scene& scene, SurfaceRef ref);
 
-/// Gives each surface a colour of its own in objects that have several and all of them in the colour of a
-/// Surface that nobody coloured. Others stay as they are: their file has said something. Thread: any but real
-/// time.
+/// Whether somebody has said how its surfaces look: not all of them have the colour of a Surface. Thread: any
+/// but real time.
+bool isColoured(const SceneObject& object);
+
+/// Gives each surface a colour of its own in objects that have several and are not coloured. Others stay as
+/// they are: their file has said something. Thread: any but real time.
 void tellSurfacesApart(Scene& scene);
 
 } // namespace tactum

@@ -95,6 +95,13 @@ void putBack(Scene& onto, const Scene& whole, const std::vector<ObjectId>& other
     gatherGroups(onto);
 }
 
+/// A mesh that is as it was is the one that is there: nothing of it has to be made anew, nor is it an edit.
+void shareMeshes(const Scene& now, Scene& onto) {
+    for (SceneObject& object : onto.objects)
+        if (const SceneObject* same = now.find(object.id); same && *same->geometry == *object.geometry)
+            object.geometry = same->geometry;
+}
+
 bool isAnotherSize(double grown) {
     constexpr double kOther = 3; // of units that are guessed, the nearest differ by 2.5
     return std::abs(std::log(grown)) > std::log(kOther);
@@ -157,6 +164,7 @@ Result<Document::Updated> Document::updated(const Scene& whole, const Source& so
         if (!loaded.ours) onto = fitted(std::move(onto));
         keepIds(now, onto);
     }
+    shareMeshes(now, onto);
     CarriedFeel carried = carryFeel(now, onto, &source.gone);
     if (carried.surfaces + carried.back == 0)
         return inputError(shownPath(told.file) +

@@ -76,9 +76,32 @@ private slots:
         QVERIFY(now.layers == felt.layers);
         QVERIFY(now.sides == Sides::Front);
         QVERIFY(now.locked);
-        QCOMPARE(now.colour, Surface().colour); // how it looks is the model's
         QCOMPARE_EQ(onto.proxyRadius, 0.002);
         QVERIFY(onto.finger == from.finger);
+    }
+
+    /// How an object looks is its file's, where that says anything; else it looks as it did.
+    void coloursComeAlongWhereTheFileSaysNone() {
+        const Eigen::Vector3f plain = Surface().colour, red(1, 0, 0), blue(0, 0, 1), green(0, 1, 0);
+        const auto coloured = [](const char* name, const Eigen::Vector3f& colour) {
+            Surface made = surface(name);
+            made.colour = colour;
+            return made;
+        };
+        Scene from, onto;
+        add(from, "pot", {coloured("glaze", red), coloured("rim", blue)});
+        add(from, "lid", {coloured("knob", red), coloured("top", blue)});
+        add(onto, "pot", {surface("rim"), surface("glaze"), surface("foot")});
+        add(onto, "lid", {coloured("knob", green), surface("top")}); // one of its surfaces has a colour
+        carryFeel(from, onto);
+        const auto colour = [&](std::size_t object, std::size_t i) {
+            return onto.objects[object].surfaces[i].colour;
+        };
+        QCOMPARE(colour(0, 0), blue);
+        QCOMPARE(colour(0, 1), red);
+        QCOMPARE(colour(0, 2), plain); // nobody's
+        QCOMPARE(colour(1, 0), green);
+        QCOMPARE(colour(1, 1), plain);
     }
 
     /// The object's name counts first, then the surface's alone, then that there is only one.

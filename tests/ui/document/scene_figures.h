@@ -1,5 +1,6 @@
-// All that a scene's file says of it but its arrays, a line for each figure: what an edit changed is what
-// differs.
+// What a scene's file says of it in our own words, a line for each figure: what an edit changed is what
+// differs. Without arrays and patterns, and without what is said again for programs that do not know our
+// words.
 #pragma once
 
 #include <QJsonArray>

@@ -222,7 +222,8 @@ private slots:
         noted.note("reach", [&] { document.setReach({ReachMode::Rate, 0.01}); });
         noted.note("twice as large", [&] { document.scaleScene(2); });
         noted.note("another scene", [&] { document.replaceScene(QStringLiteral("Another"), knownScene()); });
-        noted.note("the same scene of other meshes", [&] { document.replaceScene(QStringLiteral("The same"), fullScene()); });
+        noted.note("the same scene of other meshes",
+                   [&] { document.replaceScene(QStringLiteral("The same"), fullScene()); });
         COMPARE_SHOWN(noted.text(), "edits-objects");
     }
 
