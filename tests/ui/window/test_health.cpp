@@ -129,12 +129,16 @@ void TestHealth::aFaultTurnsTheBarRedUntilArmedAgain() {
     QVERIFY(!troubled.red());
     QVERIFY(!troubled.widget("arm-again").isVisible());
     const QString sentences = guardSentences(InhibitReason::DeviceLost);
+    // A busy machine may have something else to say there.
+    const auto saysTheFault = [&] {
+        return troubled.widget("notice").isVisible() && troubled.text("notice-text").startsWith(sentences);
+    };
     for (const char* button : {"arm-again", "notice-act"}) {
         troubled.trouble->nonsense = true;
         QTRY_VERIFY_WITH_TIMEOUT(troubled.red(), kPatience);
         QCOMPARE(troubled.widget("status-note").toolTip(), sentences);
         COMPARE_BEGINS(troubled.text("notice-text"), sentences);
-        QVERIFY(troubled.widget("notice").isVisible());
+        QVERIFY(saysTheFault());
         QVERIFY(troubled.widget("arm-again").isVisible());
         // Off by itself, and off it stays when the device is well again.
         QVERIFY(!troubled.program.engine.armed());
@@ -156,7 +160,7 @@ void TestHealth::aFaultTurnsTheBarRedUntilArmedAgain() {
         QVERIFY(troubled.fullForce());
         QVERIFY(!troubled.red());
         QVERIFY(!troubled.widget("arm-again").isVisible());
-        QVERIFY(!troubled.widget("notice").isVisible());
+        QVERIFY(!saysTheFault());
     }
     QCOMPARE(troubled.events().count(QString::fromLatin1(inhibitWords(InhibitReason::DeviceLost).what)), 2);
 }
