@@ -8,6 +8,7 @@
 
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/cosine_layer.h"
 #include "ui/document/layer_picture.h"
 
 namespace test_layer_ground {
@@ -21,17 +22,10 @@ constexpr double kPeriod = 8e-3; // m
 constexpr TextureTarget kRatios[] = {TextureTarget::StaticFriction, TextureTarget::DynamicFriction,
                                      TextureTarget::Viscosity, TextureTarget::Stiffness};
 
-/// Half up, half down, with the softest edges: (1 + cos(2 pi x / period)) / 2.
 TextureLayer cosine(TextureTarget target, double strength) {
-    TextureLayer layer;
-    layer.pattern.source = TextureSource::Grooves;
+    TextureLayer layer = cosineLayer(target, strength, kPeriod);
     layer.pattern.mapping = TextureMapping::Spherical; // unrolled
     layer.pattern.frame.translation = {1, 2, 3};       // wherever it lies on the model
-    layer.pattern.size = kPeriod;
-    layer.pattern.fill = 0.5;
-    layer.pattern.softness = 1;
-    layer.target = target;
-    layer.strength = strength;
     return layer;
 }
 
@@ -62,8 +56,7 @@ private slots:
         double low = 1, high = -1;
         for (int row = 0; row < 64; ++row)
             for (int column = 0; column < 64; ++column) {
-                const double expected =
-                    1e-4 * (1 + std::cos(2 * std::numbers::pi * middleOf(column, wish) / kPeriod));
+                const double expected = 2e-4 * cosineAt(middleOf(column, wish), kPeriod);
                 COMPARE_NEAR(ground.values[std::size_t(64 * row + column)], expected, 1e-9, "m");
                 low = std::min(low, expected), high = std::max(high, expected);
             }
@@ -86,9 +79,7 @@ private slots:
                 flatGround({cosine(target, 0.5), cosine(TextureTarget::Height, 1e-3)}, wish);
             for (int column = 0; column < 64; ++column)
                 COMPARE_NEAR(ground.values[std::size_t(column)],
-                             1 + 0.25 *
-                                     (1 + std::cos(2 * std::numbers::pi * middleOf(column, wish) / kPeriod)),
-                             1e-6, "");
+                             1 + 0.5 * cosineAt(middleOf(column, wish), kPeriod), 1e-6, "");
             const auto grey = [&](int column) { return qRed(ground.picture.pixel(column, 5)); };
             QCOMPARE(grey(0), int(std::lround(255 * 0.12))); // the lowest
             QCOMPARE(grey(31), int(std::lround(255 * 0.88)));
@@ -162,8 +153,7 @@ private slots:
             const FlatGround ground = flatGround({layer}, wish);
             for (int column = 0; column < 80; ++column)
                 COMPARE_NEAR(ground.values[std::size_t(column)],
-                             1e-4 * (1 + std::cos(2 * std::numbers::pi * middleOf(column, wish) / period)),
-                             1e-8, "m");
+                             2e-4 * cosineAt(middleOf(column, wish), period), 1e-8, "m");
         }
     }
 

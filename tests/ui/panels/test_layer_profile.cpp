@@ -1,7 +1,6 @@
 // What layers are along a stroke, on a flat plate whose grooves are a cosine that anybody can write down.
 // Wrong itself if the pattern's own frame did not lie in the body's origin: every phase would be off.
 #include <atomic>
-#include <cmath>
 #include <numbers>
 
 #include <QTest>
@@ -10,6 +9,7 @@
 #include "tests/support/compare.h"
 #include "tests/support/movers.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/cosine_layer.h"
 #include "tests/ui/panels/panels.h"
 #include "ui/panels/layer_profile.h"
 
@@ -24,23 +24,15 @@ namespace {
 constexpr SurfaceRef kLid{1, 0}, kFloor{1, 1}, kTop{2, 0};
 constexpr double kPeriod = 8e-3, kHeight = 2e-4; // m
 
-/// 1 in the middle of a ridge and 0 in the middle of a groove: half up, half down, with the softest edges.
 TextureLayer cosineAlongX(TextureTarget target = TextureTarget::Height, double strength = kHeight) {
-    TextureLayer layer;
-    layer.name = "Grooves";
-    layer.pattern.source = TextureSource::Grooves;
+    TextureLayer layer = cosineLayer(target, strength, kPeriod);
     layer.pattern.mapping = TextureMapping::Planar;
     layer.pattern.frame.rotation = Eigen::AngleAxisd(-std::numbers::pi / 2, Vec3::UnitX()); // onto y
-    layer.pattern.size = kPeriod;
-    layer.pattern.fill = 0.5;
-    layer.pattern.softness = 1;
-    layer.target = target;
-    layer.strength = strength;
     return layer;
 }
 
 double cosineAt(double x) {
-    return (1 + std::cos(2 * std::numbers::pi * x / kPeriod)) / 2;
+    return tactum::test::cosineAt(x, kPeriod);
 }
 
 std::shared_ptr<const World> worldOf(const Scene& scene) {
