@@ -463,7 +463,7 @@ void Document::arrive(const QString& text, Scene next, std::optional<TakenFile> 
 }
 
 void Document::takeGeometry(Updated updated) {
-    if (updated.scene == scene_) {
+    if (!updated.told.changed) {
         if (!updated.source.taken) updated.source.taken = source_.taken;
         source_ = std::move(updated.source); // there is nothing to take back
         return;

@@ -77,7 +77,7 @@ struct FileStamp {
 /// What an update of the geometry has given.
 struct GeometryUpdate {
     std::filesystem::path file;
-    bool changed = true;                    ///< else these are the shapes that were there
+    bool changed = true;                    ///< else these are the shapes that were there, in their unit
     std::size_t surfaces = 0, withFeel = 0; ///< of the new geometry, and how many have got one
     std::size_t back = 0;                   ///< with the feel that they had before they were gone
     std::size_t surfacesBefore = 0, surfacesLost = 0;

@@ -210,9 +210,10 @@ void Document::startUpdate(const std::filesystem::path& file, const AxesChoice& 
             if (of != scenes_ || !(scene_ == now))
                 return emit editEnded(tr("%1 was left out: the scene was edited meanwhile. Update it again.")
                                           .arg(QString::fromStdU16String(file.filename().u16string())));
-            GeometryUpdate told = (*result)->told;
-            told.changed = !((*result)->scene == scene_);
-            takeGeometry(std::move(**result));
+            Updated& updated = **result;
+            updated.told.changed = !(updated.scene == scene_) || !(updated.source.axes == source_.axes);
+            const GeometryUpdate told = updated.told;
+            takeGeometry(std::move(updated));
             emit editEnded({});
             emit geometryUpdated(told);
         };

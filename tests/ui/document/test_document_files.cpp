@@ -41,9 +41,11 @@ private slots:
 
     void aFileIsOnesOwnOnceItWasSaved() {
         Document document;
+        QSignalSpy opening(&document, &Document::openProgressed);
         QVERIFY(!document.isOpen() && document.empty());
         QVERIFY(open(document, writeCube(*folder_)));
         QVERIFY(document.isOpen());
+        QCOMPARE(opening.front(), (QVariantList{0.0, -1.0})); // at once, with nothing to judge from yet
         QVERIFY(!document.hasOwnFile() && !document.modified());
         QCOMPARE(document.title(), "cube.obj");
         QCOMPARE(document.source().path, document.path());
@@ -119,12 +121,14 @@ private slots:
         Document document;
         adopt(document, knownScene());
         const Scene before = document.scene();
-        QSignalSpy added(&document, &Document::added), failed(&document, &Document::openFailed);
+        QSignalSpy added(&document, &Document::added), failed(&document, &Document::openFailed),
+            opening(&document, &Document::openProgressed);
         const std::filesystem::path cube = writeCube(*folder_).toStdString(),
                                     large = writeCube(*folder_, 100).toStdString(),
                                     bad = writeFile(*folder_, QStringLiteral("bad.ply"), "no").toStdString();
         document.add(std::vector<FileToAdd>{{cube, {}}, {bad, {}}, {large, {}}});
         QVERIFY(document.adding());
+        QCOMPARE(opening.front(), (QVariantList{0.0, -1.0}));
         QVERIFY(waitFor([&] { return added.size() == 1; }));
         const auto told = added[0][0].value<SceneAddition>();
         QCOMPARE(told.files, (std::vector<std::filesystem::path>{cube, large}));
@@ -176,7 +180,17 @@ private slots:
         COMPARE_NEAR(document.takenAs()->across, 0.001 * std::sqrt(3.0), 1e-9, "m");
         COMPARE_NEAR(document.takenAcross(), 0.2, 1e-9, "m"); // made to fit a hand
         QVERIFY(!document.modified());
-        document.setProxyRadius(0.002); // an edit would be lost
+        // Not while there is an edit that it would lose: of a drag, or one that could be done again.
+        const Gesture drag = document.beginTrial();
+        document.setProxyRadius(0.002, drag);
+        QVERIFY(!document.takenAs());
+        document.giveUpTrial(drag);
+        QVERIFY(document.takenAs());
+        document.setProxyRadius(0.002);
+        QVERIFY(!document.takenAs());
+        document.history().undo();
+        QVERIFY(!document.takenAs());
+        document.setProxyRadius(0.002);
         QVERIFY(document.history().count() > 0);
         QSignalSpy failed(&document, &Document::openFailed);
         document.reopen({});
@@ -194,10 +208,21 @@ private slots:
         document.setMaterialValue(SurfaceRef{cube, 4}, kMaterialFields[0], 123);
         document.setMaterialValue(SurfaceRef{cube, 5}, kMaterialFields[0], 456);
         const Scene before = document.scene();
-        QSignalSpy updated(&document, &Document::geometryUpdated), ended(&document, &Document::editEnded);
+        QSignalSpy updated(&document, &Document::geometryUpdated), ended(&document, &Document::editEnded),
+            editing(&document, &Document::editProgressed);
         document.updateGeometry(file.toStdString());
+        QCOMPARE(editing.front(), (QVariantList{0.0, -1.0}));
         QVERIFY(waitFor([&] { return updated.size() == 1; }));
         QVERIFY(!updated[0][0].value<GeometryUpdate>().changed); // the shapes that are here
+        const auto findings = [&](int i) {
+            QString text;
+            for (const Finding& finding : updated[i][0].value<GeometryUpdate>().findings)
+                text +=
+                    QString::fromStdString(finding.object + ": " + finding.sentence + "; " + finding.remedy) +
+                    u'\n';
+            return text;
+        };
+        QCOMPARE(findings(0), ""); // all is as it was
         QVERIFY(document.scene() == before);
         const int steps = document.history().count();
         QFile changed(file);
@@ -212,6 +237,10 @@ private slots:
         const auto told = updated[1][0].value<GeometryUpdate>();
         QVERIFY(told.changed);
         QCOMPARE(document.history().count(), steps + 1);
+        QCOMPARE(findings(1), "cube: surface rear has no partner; it feels as it did; give it the name that "
+                              "it had, or set its feel by hand\n"
+                              "cube: surface back of the scene with the feel has no partner; its feel is "
+                              "kept for when the file has it again\n");
         QCOMPARE(told.surfaces, 6u);
         QCOMPARE(told.withFeel, 5u);
         QCOMPARE(told.surfacesBefore, 6u);
@@ -236,10 +265,40 @@ private slots:
         document.updateGeometry(file.toStdString());
         QVERIFY(waitFor([&] { return updated.size() == 3; }));
         QCOMPARE(updated[2][0].value<GeometryUpdate>().back, 1u);
+        QCOMPARE(findings(2), "cube: surface rear of the scene with the feel has no partner; its feel is "
+                              "kept for when the file has it again\n");
         const SceneObject& again = document.scene().objects[0];
         QCOMPARE(std::ranges::find(again.surfaces, "back", &Surface::name)->material.stiffness, 456.0);
         document.updateGeometry(place("none.obj").toStdString());
         QVERIFY(waitFor([&] { return !ended.isEmpty() && !ended.back()[0].toString().isEmpty(); }));
+    }
+
+    /// The same shapes by another unit are news, and a step of the history: what the unit was can be taken
+    /// back.
+    void anotherUnitIsAChange() {
+        Document document;
+        const QString file = writeCube(*folder_, 1000); // 100 units: millimetres
+        QVERIFY(open(document, file));
+        const Scene before = document.scene();
+        QSignalSpy updated(&document, &Document::geometryUpdated);
+        QFile changed(file);
+        QVERIFY(changed.open(QIODevice::ReadWrite));
+        const QByteArray text = changed.readAll().replace("50", "0.05"); // metres
+        changed.resize(0);
+        changed.write(text);
+        changed.close();
+        document.updateGeometry(file.toStdString());
+        QVERIFY(waitFor([&] { return updated.size() == 1; }));
+        const auto told = updated[0][0].value<GeometryUpdate>();
+        QVERIFY(told.changed);
+        QCOMPARE(told.axesBefore->unit, 1e-3);
+        QCOMPARE(told.axes->unit, 1.0);
+        COMPARE_NEAR(told.grown, 1e-3, 1e-12, "");
+        COMPARE_NEAR(boundsOf(document.scene()).diagonal(), boundsOf(before).diagonal(), 1e-12, "m");
+        QCOMPARE(document.history().count(), 1);
+        QCOMPARE(document.takenAs()->by, TakenAs::By::Size);
+        document.history().undo();
+        QVERIFY(document.scene() == before);
     }
 
     /// Each version of the file is told once, when nobody has written on it for a moment; not what is saved

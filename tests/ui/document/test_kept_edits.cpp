@@ -174,7 +174,9 @@ private slots:
         QCOMPARE(recovery.scenes()[pot].entry.title, "pot.glb");
         COMPARE_BEGINS(sentenceOf(recovery.scenes()[pot]),
                        QStringLiteral("pot.glb was not saved: edited until "));
+        QSignalSpy progressed(&recovery, &Recovery::progressed);
         recovery.recover(pot);
+        QCOMPARE(progressed.front(), (QVariantList{0.0, -1.0})); // at once, with nothing to judge from yet
         QVERIFY(waitFor([&] { return recovered.size() == 1; }));
         QCOMPARE(recovered[0][0].toString(), "pot.glb");
         QVERIFY(recovered[0][1].toBool()); // with its history
