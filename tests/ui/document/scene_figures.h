@@ -10,6 +10,7 @@
 #include <QtEndian>
 
 #include "core/files/gltf/write_gltf.h"
+#include "tests/ui/panels/panels.h"
 
 namespace tactum::testing {
 
@@ -51,6 +52,13 @@ inline QStringList figuresOf(const Scene& scene) {
     QStringList lines;
     addFigures(lines, {}, QJsonDocument::fromJson(bytes.mid(20, length)).object());
     return lines;
+}
+
+/// What tells two scenes apart, as `diff` says it; empty where they are equal.
+inline QString difference(const Scene& now, const Scene& before) {
+    if (now == before) return {};
+    const QString lines = changedLines(figuresOf(before), figuresOf(now));
+    return lines.isEmpty() ? QStringLiteral("something that figuresOf() leaves out") : lines;
 }
 
 } // namespace tactum::testing

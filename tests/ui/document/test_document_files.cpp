@@ -12,6 +12,7 @@
 #include "tests/support/test_program.h"
 #include "tests/support/waiting.h"
 #include "tests/ui/cube_file.h"
+#include "tests/ui/document/scene_figures.h"
 #include "tests/ui/panels/panels.h"
 #include "ui/document/source_watch.h"
 
@@ -30,6 +31,14 @@ class TestDocumentFiles : public QObject {
     static bool open(Document& document, const QString& file) {
         document.open(file.toStdString());
         return waitFor([&] { return !document.opening(); });
+    }
+    /// As another program writes it again: this instead of that.
+    static bool inFile(const QString& file, const char* from, const char* to) {
+        QFile changing(file);
+        if (!changing.open(QIODevice::ReadWrite)) return false;
+        const QByteArray text = changing.readAll(), other = QByteArray(text).replace(from, to);
+        return other != text && changing.resize(0) && changing.seek(0) &&
+               changing.write(other) == other.size();
     }
     static bool save(Document& document, const QString& file) {
         document.save(file.toStdString());
@@ -82,11 +91,12 @@ private slots:
         QVERIFY(other.hasOwnFile());
         other.begin(knownScene());
         QVERIFY(!other.hasOwnFile() && !other.modified());
-        QVERIFY(other.path().empty() && other.source().path.empty());
+        QCOMPARE(other.path(), std::filesystem::path());
+        QCOMPARE(other.source().path, std::filesystem::path());
         other.adoptShared(knownScene(), place("shared.glb").toStdString());
         QVERIFY(!other.hasOwnFile() && !other.modified());
         QCOMPARE(other.title(), "shared.glb");
-        QVERIFY(other.source().path.empty());
+        QCOMPARE(other.source().path, std::filesystem::path());
     }
 
     /// One at a time; each has the scene as it is when its turn comes, and an edit meanwhile stays unsaved.
@@ -114,7 +124,7 @@ private slots:
         document.save(place("d.glb").toStdString());
         document.begin(knownScene());
         QVERIFY(waitFor([&] { return saved.size() == 3; }));
-        QVERIFY(document.path().empty());
+        QCOMPARE(document.path(), std::filesystem::path());
     }
 
     void modelsComeInBesides() {
@@ -147,10 +157,10 @@ private slots:
                         (box.high.array() <= its.low.array() + 1e-9).any());
             }
         document.history().undo();
-        QVERIFY(document.scene() == before);
+        QCOMPARE(difference(document.scene(), before), "");
         document.add(std::vector<FileToAdd>{{bad, {}}});
         QVERIFY(waitFor([&] { return failed.size() == 1; }));
-        QVERIFY(document.scene() == before);
+        QCOMPARE(difference(document.scene(), before), "");
         document.add(std::vector<FileToAdd>{{cube, {}}});
         QVERIFY(waitFor([&] { return added.size() == 2; }));
         QCOMPARE(document.history().undoText(), "Add cube.obj");
@@ -191,7 +201,7 @@ private slots:
         document.history().undo();
         QVERIFY(!document.takenAs());
         document.setProxyRadius(0.002);
-        QVERIFY(document.history().count() > 0);
+        QCOMPARE_GT(document.history().count(), 0);
         QSignalSpy failed(&document, &Document::openFailed);
         document.reopen({});
         QVERIFY(waitFor([&] { return failed.size() == 1; }));
@@ -223,15 +233,9 @@ private slots:
             return text;
         };
         QCOMPARE(findings(0), ""); // all is as it was
-        QVERIFY(document.scene() == before);
+        QCOMPARE(difference(document.scene(), before), "");
         const int steps = document.history().count();
-        QFile changed(file);
-        QVERIFY(changed.open(QIODevice::ReadWrite));
-        QByteArray text = changed.readAll();
-        text.replace("v 0.05", "v 0.07").replace("g back", "g rear");
-        changed.resize(0);
-        changed.write(text);
-        changed.close();
+        QVERIFY(inFile(file, "v 0.05", "v 0.07") && inFile(file, "g back", "g rear"));
         document.updateGeometry(file.toStdString());
         QVERIFY(waitFor([&] { return updated.size() == 2; }));
         const auto told = updated[1][0].value<GeometryUpdate>();
@@ -256,12 +260,10 @@ private slots:
             QCOMPARE(now.surfaces[i].colour, before.objects[0].surfaces[i].colour);
         QCOMPARE(stiffness("rear"), kStiffness.initial);
         document.history().undo();
-        QVERIFY(document.scene() == before);
+        QCOMPARE(difference(document.scene(), before), "");
         document.history().redo();
         // What found no surface waits for the next update.
-        QVERIFY(changed.open(QIODevice::WriteOnly | QIODevice::Truncate));
-        changed.write(text.replace("g rear", "g back"));
-        changed.close();
+        QVERIFY(inFile(file, "g rear", "g back"));
         document.updateGeometry(file.toStdString());
         QVERIFY(waitFor([&] { return updated.size() == 3; }));
         QCOMPARE(updated[2][0].value<GeometryUpdate>().back, 1u);
@@ -281,12 +283,7 @@ private slots:
         QVERIFY(open(document, file));
         const Scene before = document.scene();
         QSignalSpy updated(&document, &Document::geometryUpdated);
-        QFile changed(file);
-        QVERIFY(changed.open(QIODevice::ReadWrite));
-        const QByteArray text = changed.readAll().replace("50", "0.05"); // metres
-        changed.resize(0);
-        changed.write(text);
-        changed.close();
+        QVERIFY(inFile(file, "50", "0.05")); // metres
         document.updateGeometry(file.toStdString());
         QVERIFY(waitFor([&] { return updated.size() == 1; }));
         const auto told = updated[0][0].value<GeometryUpdate>();
@@ -298,7 +295,7 @@ private slots:
         QCOMPARE(document.history().count(), 1);
         QCOMPARE(document.takenAs()->by, TakenAs::By::Size);
         document.history().undo();
-        QVERIFY(document.scene() == before);
+        QCOMPARE(difference(document.scene(), before), "");
     }
 
     /// Each version of the file is told once, when nobody has written on it for a moment; not what is saved

@@ -14,6 +14,7 @@
 #include "tests/support/test_program.h"
 #include "tests/support/waiting.h"
 #include "tests/ui/cube_file.h"
+#include "tests/ui/own_folders.h"
 #include "tests/ui/panels/panels.h"
 #include "ui/document/journal.h"
 #include "ui/document/recovery.h"
@@ -85,17 +86,15 @@ class TestKeptEdits : public QObject {
 
 private slots:
     void init() {
-        QCoreApplication::setOrganizationName(QStringLiteral("TactumTest"));
-        QCoreApplication::setApplicationName(QStringLiteral("TactumKeptEdits"));
         data_ = std::make_unique<QTemporaryDir>();
-        qputenv("XDG_DATA_HOME", data_->path().toLocal8Bit());
+        useFoldersIn(data_->path());
         fs::create_directories(Journal::home());
     }
 
     void editsAreKeptUntilTheyAreSaved() {
         Run run;
         run.document.begin(knownScene());
-        QVERIFY(journals().empty());
+        QCOMPARE(journals().size(), 0u);
         QVERIFY(run.edits(0.002));
         QCOMPARE(journals().size(), 1u);
         const fs::path folder = journals()[0];
@@ -116,7 +115,7 @@ private slots:
         run.document.setProxyRadius(0.004);
         run.journal.discard(); // the person wants none of it
         QTest::qWait(50);
-        QVERIFY(journals().empty());
+        QCOMPARE(journals().size(), 0u);
     }
 
     /// Written after so many edits, or after some time, and not before.
@@ -221,7 +220,7 @@ private slots:
         recovery.look();
         QVERIFY(waitFor([&] { return failed.size() == 1; }));
         COMPARE_CONTAINS(failed[0][0].toString(), "its journal is damaged. It was kept in ");
-        QVERIFY(recovery.scenes().empty());
+        QCOMPARE(recovery.scenes().size(), 0u);
         QVERIFY(!fs::exists(folder));
         QVERIFY(fs::exists(Journal::home() / ("damaged-" + folder.filename().string())));
         recovery.look(); // it is nobody's journal any more
@@ -240,7 +239,7 @@ private slots:
         recovery.recover(0);
         QCOMPARE(failed.size(), 1);
         QCOMPARE(failed[0][0].toString(), "Another window has taken that scene.");
-        QVERIFY(recovery.scenes().empty());
+        QCOMPARE(recovery.scenes().size(), 0u);
         QVERIFY(run.document.empty());
     }
 

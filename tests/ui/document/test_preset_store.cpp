@@ -10,6 +10,7 @@
 #include "tests/support/test_program.h"
 #include "tests/support/waiting.h"
 #include "tests/ui/cube_file.h"
+#include "tests/ui/own_folders.h"
 #include "ui/document/preset_store.h"
 
 namespace test_preset_store {
@@ -44,10 +45,8 @@ class TestPresetStore : public QObject {
 
 private slots:
     void init() {
-        QCoreApplication::setOrganizationName(QStringLiteral("TactumTest"));
-        QCoreApplication::setApplicationName(QStringLiteral("TactumPresetStore"));
         data_ = std::make_unique<QTemporaryDir>();
-        qputenv("XDG_DATA_HOME", data_->path().toLocal8Bit());
+        useFoldersIn(data_->path());
     }
 
     void ownOnesComeFirst() {
@@ -57,7 +56,7 @@ private slots:
         const std::size_t shipped = store.presets().size();
         QCOMPARE_GT(shipped, 10u);
         QCOMPARE(shipped, PresetStore::readShipped().size());
-        QVERIFY(PresetStore::readOwn().empty());
+        QCOMPARE(PresetStore::readOwn().size(), 0u);
         for (const auto& [name, category] : {std::pair("b", "2"), {"a", "2"}, {"c", "1"}}) {
             const QString file = store.add(presetOf(name, category));
             QVERIFY(file.startsWith(PresetStore::folder()));
@@ -156,7 +155,7 @@ private slots:
         QVERIFY(QFile::copy(file, file + QStringLiteral(".other"))); // so that the folder changes
         QVERIFY(waitFor([&] { return failed.size() == 1; }));
         COMPARE_CONTAINS(failed[0][0].toString(), "from-elsewhere");
-        QVERIFY(ownOf(store).isEmpty());
+        QCOMPARE(ownOf(store), "");
         store.add(presetOf("a")); // the fault is said once
         QVERIFY(waitFor([&] { return ownOf(store) == QStringLiteral("/a") && !store.loading(); }));
         QCOMPARE(failed.size(), 1);

@@ -8,6 +8,7 @@
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/cube_file.h"
+#include "tests/ui/own_folders.h"
 #include "ui/document/recent_files.h"
 
 namespace test_recent_files {
@@ -30,16 +31,13 @@ class TestRecentFiles : public QObject {
 
 private slots:
     void init() {
-        QCoreApplication::setOrganizationName(QStringLiteral("TactumTest"));
-        QCoreApplication::setApplicationName(QStringLiteral("TactumRecentFiles"));
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
+        useFoldersIn(folder_.path());
         forgetRecentFiles();
     }
 
     void theNewestComeFirst() {
-        QVERIFY(recentFiles().isEmpty());
-        QVERIFY(recentlyOpened().isEmpty());
+        QCOMPARE(numbers(recentFiles()), "");
+        QCOMPARE(recentlyOpened().size(), 0);
         const QDateTime before = QDateTime::currentDateTime();
         for (const int number : {1, 2, 3, 1})
             rememberFile(file(number));
@@ -52,8 +50,8 @@ private slots:
         QCOMPARE(numbers(recentFiles()), "12");
         QVERIFY(recentlyOpened()[1].opened.isValid());
         forgetRecentFiles();
-        QVERIFY(recentFiles().isEmpty());
-        QVERIFY(QSettings().allKeys().isEmpty()); // nor their times
+        QCOMPARE(numbers(recentFiles()), "");
+        QCOMPARE(QSettings().allKeys().join(u' '), ""); // nor their times
     }
 
     void eightAreKept() {

@@ -9,6 +9,7 @@
 #include "core/scene/placing.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/own_folders.h"
 #include "ui/document/taken_as.h"
 
 namespace test_taken_as {
@@ -51,10 +52,7 @@ class TestTakenAs : public QObject {
 
 private slots:
     void init() {
-        QCoreApplication::setOrganizationName(QStringLiteral("TactumTest"));
-        QCoreApplication::setApplicationName(QStringLiteral("TactumTakenAs"));
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
+        useFoldersIn(folder_.path());
         QSettings().clear();
     }
 

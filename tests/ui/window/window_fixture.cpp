@@ -13,6 +13,7 @@
 #include <QWindow>
 
 #include "device/simulated_hand.h"
+#include "tests/ui/own_folders.h"
 #include "ui/base/style.h"
 #include "ui/document/journal.h"
 #include "ui/engine/guard_watch.h"
@@ -29,10 +30,7 @@ void prepareProcess() {
 }
 
 void useSettingsIn(const QString& folder) {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder);
-    qputenv("XDG_DATA_HOME", folder.toLocal8Bit());  // the journals
-    qputenv("XDG_CACHE_HOME", folder.toLocal8Bit()); // the pictures of recent files
+    useFoldersIn(folder);
     QSettings().setValue(QStringLiteral("window/folded"),
                          QStringList()); // a person who wants to see the plots
 }
