@@ -47,6 +47,8 @@ private slots:
         SurfaceSet set({{1, 2}, {3, 4}});
         QVERIFY(set.has({1, 2}) && set.has({3, 4}));
         QVERIFY(!set.has({1, 4}) && !set.has({2, 1}) && !set.has({0, 0}));
+        for (const int bits : {1, 8, 16, 31}) // of the object beside those of the surface
+            QVERIFY(!set.has({0, (1u << bits) + 2}));
         QVERIFY(!set.add({1, 2}));
         QVERIFY(set.add({2, 1}));
         QVERIFY(set.has({2, 1}));
