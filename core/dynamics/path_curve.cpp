@@ -210,20 +210,22 @@ double PathCurve::nearest(const Pose& to) const {
         return away(s).norm() + 1e-3 * std::min((turned.coeffs() - to.rotation.coeffs()).norm(),
                                                 (turned.coeffs() + to.rotation.coeffs()).norm());
     };
-    double best = 0;
-    for (double s = 0; s < all + 0.5 * step; s += step) {
-        const double here = away(s).squaredNorm();
-        if (away(s - step).squaredNorm() < here || away(s + step).squaredNorm() < here) continue;
-        double low = closed_ ? s - step : std::max(0.0, s - step),
-               high = closed_ ? s + step : std::min(all, s + step);
+    // An open path ends, though at() goes on straight.
+    const auto within = [&](double s) { return closed_ ? s : std::clamp(s, 0.0, all); };
+    std::optional<double> best;
+    for (double k = 0; k < all + 0.5 * step; k += step) {
+        const double s = within(k), here = away(s).squaredNorm();
+        double low = within(s - step), high = within(s + step);
+        if (away(low).squaredNorm() < here || away(high).squaredNorm() < here) continue;
         if (slope(low) > 0) high = low;
         if (slope(high) < 0) low = high;
         for (int round = 0; round < 60; ++round)
             (slope(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);
         const double found = 0.5 * (low + high);
-        if (cost(found) < cost(best)) best = found;
+        if (!best || cost(found) < cost(*best)) best = found;
     }
-    return closed_ ? best - all * std::floor(best / all) : best;
+    if (!best) return 0;
+    return closed_ ? *best - all * std::floor(*best / all) : *best;
 }
 
 std::vector<Pose> placesAlong(const JointPath& path, int parts) {

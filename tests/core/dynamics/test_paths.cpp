@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include "core/dynamics/path_curve.h"
+#include "core/dynamics/path_places.h"
 #include "tests/core/dynamics/mechanisms.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
@@ -104,6 +105,8 @@ private slots:
     void anOpenPathEndsInStops();
     void whatWorksOnASlideWorksOnAPath();
     void aBodyBesideItsPathIsPutOntoIt();
+    void placesAlongAPathAreEvenlyFarApart();
+    void theNearestPlaceIsFound();
     void whatIsNoPathIsRefused_data();
     void whatIsNoPathIsRefused();
 };
@@ -424,6 +427,55 @@ void PathsTest::whatWorksOnASlideWorksOnAPath() {
 void PathsTest::aBodyBesideItsPathIsPutOntoIt() {
     Running run({bead(1, Vec3(0.3, 0, 0.1))}, {onPath(1, ring(0.1))});
     COMPARE_NEAR(run.bodies()[0].centre, Vec3(0.1, 0, 0), 1e-9, "m");
+}
+
+// Of a ring: at equal angles, x along it.
+void PathsTest::placesAlongAPathAreEvenlyFarApart() {
+    const std::vector<Pose> places = placesAlong(ring(0.1), 12);
+    QCOMPARE(places.size(), std::size_t(13)); // the first comes again
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const double a = 2 * pi * double(i) / 12;
+        COMPARE_NEAR(places[i].translation, 0.1 * Vec3(std::sin(a), -std::cos(a), 0), 1e-7, "m");
+        COMPARE_NEAR(Vec3(places[i].rotation * Vec3::UnitX()), Vec3(std::cos(a), std::sin(a), 0), 1e-5, "");
+    }
+    JointPath line;
+    line.points = {Vec3(0, 0, 0), Vec3(0.1, 0, 0), Vec3(0.4, 0, 0)};
+    const std::vector<Pose> even = placesAlong(line, 4);
+    QCOMPARE(even.size(), std::size_t(5));
+    for (std::size_t i = 0; i < even.size(); ++i)
+        COMPARE_NEAR(even[i].translation, Vec3(0.1 * double(i), 0, 0), 1e-9, "m");
+    QVERIFY(placesAlong(JointPath{}, 4).empty());
+}
+
+void PathsTest::theNearestPlaceIsFound() {
+    for (const double a : {0.0, 0.4, 3.1, 6.2}) {
+        const Vec3 out(std::sin(a), -std::cos(a), 0);
+        for (const double far : {0.02, 0.0999, 0.35}) {
+            const auto found = nearestOn(ring(0.1), {Quat::Identity(), far * out + Vec3(0, 0, 0.2)});
+            QVERIFY(found.has_value());
+            COMPARE_NEAR(found->translation, 0.1 * out, 1e-7, "m");
+        }
+    }
+    // Where a curve crosses itself, that of both ways which the body lies along.
+    JointPath eight = pathOf([](double a) { return Vec3(0.2 * std::sin(a), 0.1 * std::sin(2 * a), 0); }, 0,
+                             2 * pi, 200, true);
+    for (const double sign : {1.0, -1.0}) {
+        const Vec3 way = Vec3(sign, 1, 0).normalized(); // at a = 0 (0.2, 0.2), at a = pi (-0.2, 0.2)
+        const Pose lies{turnOnto(Vec3::UnitX(), way), Vec3::Zero()};
+        const auto found = nearestOn(eight, lies);
+        QVERIFY(found.has_value());
+        COMPARE_NEAR(found->translation, Vec3(0, 0, 0), 1e-6, "m");
+        COMPARE_NEAR(Vec3(found->rotation * Vec3::UnitX()), way, 1e-3, "");
+    }
+    // An open one ends.
+    JointPath line;
+    line.points = {Vec3(0, 0, 0), Vec3(0.1, 0, 0), Vec3(0.4, 0, 0)};
+    for (const auto& [x, at] : {std::pair(-3.0, 0.0), {0.25, 0.25}, {7.0, 0.4}}) {
+        const auto found = nearestOn(line, {Quat::Identity(), Vec3(x, 1, 1)});
+        QVERIFY(found.has_value());
+        COMPARE_NEAR(found->translation, Vec3(at, 0, 0), 1e-7, "m");
+    }
+    QVERIFY(!nearestOn(JointPath{}, Pose{}).has_value());
 }
 
 void PathsTest::whatIsNoPathIsRefused_data() {
