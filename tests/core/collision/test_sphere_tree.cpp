@@ -174,6 +174,8 @@ private slots:
     void whatIsRememberedChangesNothing();
     void whatIsBeyondReachIsNeverTouched();
     void depthIsBounded();
+    void atEachDepthSpheresHoldItAll();
+    void aLargeMeshIsBuiltInParts();
     void emptySoupIsNeverTouched();
     void longTrianglesGetSeveralSpheres();
 };
@@ -351,6 +353,66 @@ void SphereTreeTest::depthIsBounded() {
     int hits = 0;
     compareSweeps(soup, "crowding", 200, rng, hits);
     QCOMPARE_LE(depthOf(SphereTree(*ball(1, 4))), 12);
+}
+
+// Those that are shown: all of the mesh lies in them, the deeper the more and the smaller; below the leaves
+// nothing comes.
+void SphereTreeTest::atEachDepthSpheresHoldItAll() {
+    for (const double far : {0.0, 1e5}) {
+        const Soup soup = transformed(*eggCrate(1, 20, 0.1, 0.5), {Quat::Identity(), Vec3::Constant(far)});
+        const SphereTree tree(*soup);
+        std::size_t before = 0;
+        double largest = 1e300;
+        const int deepest = depthOf(tree);
+        for (int depth = 0; depth <= deepest; ++depth) {
+            const std::vector<BoundingSphere> spheres = tree.spheresAt(depth);
+            QCOMPARE_LE(spheres.size(), std::size_t(std::pow(SphereTree::kWidth, depth + 1)));
+            QCOMPARE_GE(spheres.size(), before + (depth < deepest - 1));
+            const double slack = 1e-6 + 1e-6 * far; // they are single precision
+            double radius = 0;
+            for (const BoundingSphere& sphere : spheres)
+                radius = std::max(radius, double(sphere.radius));
+            QCOMPARE_GT(radius, 0);
+            QCOMPARE_LE(radius, largest);
+            for (const Vec3& p : soup->positions) {
+                double outside = 1e300;
+                for (const BoundingSphere& sphere : spheres)
+                    outside = std::min(outside, (p - sphere.centre.cast<double>()).norm() - sphere.radius);
+                QCOMPARE_LE(outside, slack);
+            }
+            before = spheres.size();
+            largest = radius;
+        }
+        QCOMPARE_GE(before, tree.leaves().size()); // those of what lies in the leaves
+        QCOMPARE(tree.spheresAt(deepest + 9).size(), before);
+    }
+}
+
+// Halves of more than 65,536 spheres are built at the same time: nothing is lost, and it is the same tree
+// again.
+void SphereTreeTest::aLargeMeshIsBuiltInParts() {
+    const Soup soup = eggCrate(1, 280, 0.1, 0.5);
+    QCOMPARE_GT(soup->triangles.size(), std::size_t(2) << 16);
+    const SphereTree tree(*soup), again(*soup);
+    QCOMPARE(again.nodes().size(), tree.nodes().size());
+    std::vector<int> times(soup->triangles.size());
+    for (std::size_t i = 0; i < tree.nodes().size(); ++i)
+        for (int k = 0; k < SphereTree::kWidth; ++k) {
+            QCOMPARE_EQ(again.nodes()[i].radius[k], tree.nodes()[i].radius[k]);
+            QCOMPARE_EQ(again.nodes()[i].child[k], tree.nodes()[i].child[k]);
+        }
+    for (const SphereTree::Leaf& leaf : tree.leaves())
+        for (int k = 0; k < SphereTree::kWidth; ++k)
+            if (leaf.ax[k] < 1e14F) ++times[leaf.triangle[k]];
+    QCOMPARE(std::count(times.begin(), times.end(), 0), 0);
+    Rng rng(20);
+    for (int i = 0; i < 2000; ++i) {
+        const Index k = Index(rng() % soup->triangles.size());
+        const Triangle t = triangleOf(*soup, k);
+        const Vec3 p = (t.a + t.b + t.c) / 3;
+        QVERIFY2(reaches(tree, tree.nodes().front(), p - tree.origin(), k),
+                 qPrintable(QString("triangle %1").arg(k)));
+    }
 }
 
 void SphereTreeTest::emptySoupIsNeverTouched() {

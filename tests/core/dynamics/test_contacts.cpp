@@ -44,6 +44,8 @@ private slots:
     void aCylinderRollsAsFarAsItIs();
     void aBallBouncesByItsRestitution_data();
     void aBallBouncesByItsRestitution();
+    void materialsAreCombinedAsTheySay_data();
+    void materialsAreCombinedAsTheySay();
     void twoBallsExchangeMomentum_data();
     void twoBallsExchangeMomentum();
     void newtonsCradleHandsItOn();
@@ -157,6 +159,47 @@ void ContactsTest::aBallBouncesByItsRestitution() {
     // The highest place of the first bounce is half its flight after the fall.
     run.run(fall * (1 + restitution), fall / 320);
     COMPARE_NEAR(run.bodies()[0].centre.y() - 0.05, restitution * restitution * 0.5, 5e-5, "m");
+}
+
+void ContactsTest::materialsAreCombinedAsTheySay_data() {
+    QTest::addColumn<int>("body");
+    QTest::addColumn<int>("floor");
+    QTest::addColumn<double>("friction"); // of 0.2 and 0.6
+    const auto row = [](const char* name, Combine body, Combine floor, double friction) {
+        QTest::newRow(name) << int(body) << int(floor) << friction;
+    };
+    row("average", Combine::Average, Combine::Average, 0.4);
+    row("minimum", Combine::Minimum, Combine::Minimum, 0.2);
+    row("maximum", Combine::Maximum, Combine::Maximum, 0.6);
+    row("multiply", Combine::Multiply, Combine::Multiply, 0.12);
+    row("average before others", Combine::Multiply, Combine::Average, 0.4);
+    row("minimum before maximum", Combine::Minimum, Combine::Maximum, 0.2);
+    row("maximum before multiply", Combine::Multiply, Combine::Maximum, 0.6);
+}
+
+// A box is slowed by the friction of both, a ball bounces by the restitution of both.
+void ContactsTest::materialsAreCombinedAsTheySay() {
+    QFETCH(int, body);
+    QFETCH(int, floor);
+    QFETCH(double, friction);
+    World sliding;
+    sliding.material = {0.6, 0.6, 0, Combine(floor), Combine::Average};
+    sliding.addStill(floorShape());
+    sliding.material = {0.2, 0.2, 0, Combine(body), Combine::Average};
+    sliding.add(box({0.1, 0.04, 0.1}), at(0, 0.02), 0.7).velocity = Vec3(2, 0, 0);
+    Running slides(sliding.mechanics);
+    slides.run(0.2, 1e-3);
+    COMPARE_NEAR(slides.bodies()[0].velocity.x(), 2 - friction * 9.81 * 0.2, 1e-6, "m/s");
+
+    World falling;
+    falling.material = {0, 0, 0.6, Combine::Average, Combine(floor)};
+    falling.addStill(floorShape());
+    falling.material = {0, 0, 0.2, Combine::Average, Combine(body)};
+    falling.add(ball(0.05), at(0, 0.55), 0.4);
+    Running falls(falling.mechanics);
+    const double fall = std::sqrt(2 * 0.5 / 9.81);
+    falls.run(fall * (1 + friction), fall / 320); // the highest place of the first bounce
+    COMPARE_NEAR(falls.bodies()[0].centre.y() - 0.05, friction * friction * 0.5, 5e-5, "m");
 }
 
 void ContactsTest::twoBallsExchangeMomentum_data() {
