@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/geometry/closed.h"
 #include "ui/view/cube_distances.h"
 
 namespace tactum {
@@ -182,10 +183,40 @@ OcclusionVolume gridAround(const Bounds& box, int along) {
     return volume;
 }
 
+/// Larger meshes are not asked whether they are convex.
+constexpr std::size_t kFewTriangles = 2000;
+
+/// Whether it has an inside, and no corner lies before any of its faces.
+bool isConvex(const TriangleSoup& soup) {
+    if (soup.triangles.size() > kFewTriangles || !isClosed(soup)) return false;
+    const Bounds box = boundsOf(soup);
+    const double flat = 1e-6 * (box.high - box.low).norm();
+    for (const auto& [a, b, c] : soup.triangles) {
+        const Vec3& at = soup.positions[a];
+        const Vec3 normal = (soup.positions[b] - at).cross(soup.positions[c] - at).stableNormalized();
+        for (const Vec3& corner : soup.positions)
+            if (normal.dot(corner - at) > flat) return false;
+    }
+    return true;
+}
+
+/// Of a convex body no part takes light from another.
+bool isConvexAlone(std::span<const ShadowCaster> casters) {
+    const ShadowCaster* alone = nullptr;
+    for (const ShadowCaster& caster : casters) {
+        if (caster.moves) continue;
+        if (alone || caster.section || std::ranges::find(caster.seen, false) != caster.seen.end())
+            return false;
+        alone = &caster;
+    }
+    return alone && isConvex(*alone->soup);
+}
+
 } // namespace
 
 std::optional<OcclusionVolume> occlusionOf(std::span<const ShadowCaster> casters, const Progress& progress,
                                            const OcclusionDetail& detail) {
+    if (isConvexAlone(casters)) return OcclusionVolume{};
     Bounds box;
     const auto addToBox = [&](const std::array<Vec3, 3>& corners) {
         for (const Vec3& corner : corners)

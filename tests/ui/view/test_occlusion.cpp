@@ -6,6 +6,7 @@
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "tests/support/soups.h"
 #include "tests/support/waiting.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/view/occlusion_bake.h"
@@ -90,6 +91,40 @@ private slots:
             const Vec3 out(across * std::cos(2.4 * i), y, across * std::sin(2.4 * i));
             COMPARE_NEAR(volume.openness(kBallRadius * out, out), 1.0, 0.06, "");
         }
+    }
+
+    // Without a grid, which takes a third of a second: exactly white. Whatever is added to it or taken off it
+    // makes one.
+    void aConvexBodyAloneHasNoGrid() {
+        const auto caster = [](std::shared_ptr<const TriangleSoup> soup) {
+            return ShadowCaster{std::move(soup), {true, true}, Pose{}, false};
+        };
+        const ShadowCaster round = caster(test::ball(0.05, 3));
+        QVERIFY(volumeOf({round}).empty());
+        TriangleSoup open = *round.soup;
+        open.triangles.pop_back();
+        open.surfaceOf.pop_back();
+        QVERIFY(!volumeOf({caster(std::make_shared<const TriangleSoup>(open))}).empty());
+        TriangleSoup dented = *round.soup;
+        dented.positions[dented.triangles[40][0]] *= 0.9;
+        QVERIFY(!volumeOf({caster(std::make_shared<const TriangleSoup>(dented))}).empty());
+        TriangleSoup inside = *round.soup;
+        for (auto& triangle : inside.triangles)
+            std::swap(triangle[1], triangle[2]);
+        QVERIFY(!volumeOf({caster(std::make_shared<const TriangleSoup>(inside))}).empty());
+        QVERIFY(!volumeOf({round, plate()}).empty());
+        ShadowCaster moving = plate();
+        moving.moves = true; // it takes none, nor does it keep the other from being alone
+        QVERIFY(volumeOf({round, moving}).empty());
+        TriangleSoup halves = *round.soup;
+        std::fill_n(halves.surfaceOf.begin(), halves.surfaceOf.size() / 2, 1);
+        ShadowCaster half = caster(std::make_shared<const TriangleSoup>(halves));
+        QVERIFY(volumeOf({half}).empty());
+        half.seen = {true, false};
+        QVERIFY(!volumeOf({half}).empty());
+        ShadowCaster cut = round;
+        cut.section = SectionPlane{};
+        QVERIFY(!volumeOf({cut}).empty());
     }
 
     /// The form factor of a wall of height h from a floor at the distance d: (1 - d / sqrt(d^2 + h^2)) / 2.
