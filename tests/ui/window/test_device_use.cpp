@@ -10,11 +10,9 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/device_desk.h"
-#include "ui/engine/axis_capture.h"
 #include "ui/engine/device_link.h"
 #include "ui/engine/device_settings.h"
 #include "ui/engine/device_trial.h"
-#include "ui/engine/health_words.h"
 #include "ui/engine/usb_permission.h"
 #include "ui/panels/device_panel.h"
 #include "ui/study/study_session.h"
@@ -40,12 +38,10 @@ private slots:
     void theScaleIsTypedAndRemembered();
     void noImpossibleMappingCanBeChosen();
     void motionsSetTheAxes();
-    void motionsThatAreNotClearDoNot();
     void reCentringTakesBackWhatTheClutchMoved();
     void beyondTheShellTheWorkspaceGoesOn();
     void howAHandReachesIsOfTheScene();
     void aSceneThatIsTriedBringsItsReach();
-    void theCeilingFallsWithTheScale();
     void undoDoesNotTouchTheDevice();
     void trialsAreFeltInsteadOfTheScene();
     void anEditEndsATrial();
@@ -167,16 +163,6 @@ void TestDeviceUse::theScaleIsTypedAndRemembered() {
 }
 
 void TestDeviceUse::noImpossibleMappingCanBeChosen() {
-    QCOMPARE(withAxis(kSameAxes, 0, -3), (AxisMap{-3, 2, 1}));
-    QCOMPARE(withAxis({-3, 2, 1}, 1, 3), (AxisMap{2, 3, 1}));
-    QCOMPARE(withAxis(kSameAxes, 2, -3), (AxisMap{1, 2, -3}));
-    for (int first : {1, -1, 2, -2, 3, -3})
-        for (std::size_t which = 0; which < 3; ++which)
-            for (int axis : {1, -1, 2, -2, 3, -3}) {
-                const AxisMap axes = withAxis(withAxis(kSameAxes, 1, first), which, axis);
-                VERIFY_RESULT(checkWorkspace({.axes = axes}));
-                QCOMPARE_EQ(axes[which], axis);
-            }
     Desk desk;
     QVERIFY(desk.connectIt());
     desk.page(DevicePanel::Page::Workspace);
@@ -216,17 +202,6 @@ void TestDeviceUse::motionsSetTheAxes() {
     desk.click("workspace-capture");
     QVERIFY(!desk.widget("workspace-task").isVisible());
     QCOMPARE(desk.engine().workspace().axes, (AxisMap{-2, 1, -3}));
-}
-
-void TestDeviceUse::motionsThatAreNotClearDoNot() {
-    AxisCapture capture(0.02);
-    QVERIFY(!capture.add({0.5, 0, 0})); // where it is does not matter
-    QVERIFY(!capture.add({0.515, 0, 0}));
-    QCOMPARE(std::round(100 * capture.progress()), 75.0);
-    QVERIFY(!capture.add({0.53, 0.03, 0})); // askew
-    QVERIFY(!capture.add(Vec3::Constant(std::nan(""))));
-    QVERIFY(capture.add({0.53, 0.01, 0}));
-    QCOMPARE(capture.step(), std::size_t(1));
 }
 
 void TestDeviceUse::reCentringTakesBackWhatTheClutchMoved() {
@@ -351,19 +326,6 @@ void TestDeviceUse::aSceneThatIsTriedBringsItsReach() {
     QCOMPARE(static_cast<QComboBox&>(desk.widget("workspace-reach")).currentIndex(), 0); // the document's
     session.end();
     QTRY_COMPARE_WITH_TIMEOUT(reach(), Reach{}, kPatience);
-}
-
-void TestDeviceUse::theCeilingFallsWithTheScale() {
-    DeviceInfo device;
-    device.damping = 4;
-    ServoTelemetry servo;
-    const CeilingNow one = ceilingNow(servo, device);
-    servo.frame.scale = 4;
-    QCOMPARE(ceilingNow(servo, device).value, one.value / 4);
-    // What the servo says is of the scene already, and no reason to speak of a late one.
-    servo.ceiling = {one.value / 4, CeilingReason::Damping};
-    QCOMPARE(ceilingNow(servo, device).value, one.value / 4);
-    QCOMPARE(ceilingNow(servo, device).reason, one.reason);
 }
 
 void TestDeviceUse::undoDoesNotTouchTheDevice() {

@@ -16,7 +16,6 @@
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/engine/health_words.h"
-#include "ui/engine/steady_ceiling.h"
 #include "ui/panels/health_panel.h"
 #include "ui/view/scene_view.h"
 #include "ui/widgets/period_chart.h"
@@ -95,8 +94,6 @@ private slots:
     void figuresFollowTheTelemetry();
     void detailThatIsLeftOutIsSaid();
     void periodsAreCountedInTheirBins();
-    void whatLimitsTheStiffnessIsSaid();
-    void theCeilingStandsStillWhereTheMachineJitters();
     void jitterDoesNotMoveTheCeilingOfTheWindow();
     void motorsWarmUp();
     void theCeilingIsOverriddenOnceItsRiskIsTaken();
@@ -262,69 +259,6 @@ void TestHealth::periodsAreCountedInTheirBins() {
     QCOMPARE(chart.figuresOf(2), QStringLiteral("5 to 10 \u00b5s: 997 ticks, 100 %"));
     QCOMPARE(chart.figuresOf(6), QStringLiteral("100 to 200 \u00b5s: 1 tick, 0.1 %"));
     QCOMPARE(chart.figuresOf(11), QStringLiteral("more than 5000 \u00b5s: 1 tick, 0.1 %"));
-}
-
-void TestHealth::whatLimitsTheStiffnessIsSaid() {
-    DeviceInfo device;
-    ServoTelemetry servo;
-    const CeilingNow promised = ceilingNow(servo, device); // before the first tick
-    QCOMPARE_GT(promised.value, 0);
-    COMPARE_CONTAINS(promised.reason, QStringLiteral("damping"));
-    servo.ceiling = {0.5 * promised.value, CeilingReason::Damping};
-    COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("late"));
-    QCOMPARE(ceilingNow(servo, device).value, 0.5 * promised.value);
-    servo.stiffnessScale = 0.25;
-    COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("oscillation"));
-    QCOMPARE(ceilingNow(servo, device).value, 0.125 * promised.value);
-    device.maxStiffness = 100;
-    servo.stiffnessScale = 1;
-    servo.ceiling = {100, CeilingReason::Maker};
-    COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("maker"));
-    servo.ceiling = {100, CeilingReason::Hand};
-    COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("hand bears"));
-    servo.doubted = true;
-    COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("lighter than chosen"));
-    device.maxStiffness = 0;
-    device.dryFriction = 1e-6;
-    device.positionResolution = 1e-6;
-    servo = {};
-    COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("resolution"));
-}
-
-void TestHealth::theCeilingStandsStillWhereTheMachineJitters() {
-    const CeilingNow whole{2000, QStringLiteral("limited by the damping")};
-    const auto late = [](double value) {
-        return CeilingNow{value, QStringLiteral("limited by a late servo"), true};
-    };
-    SteadyCeiling steady;
-    double time = 0;
-    const auto follow = [&](const CeilingNow& now, double seconds) {
-        int moves = 0;
-        for (int i = 0; i < std::lround(seconds * 60); ++i)
-            moves += steady.follow(now, time += 1.0 / 60);
-        return moves;
-    };
-    QCOMPARE(follow(whole, 0.5), 0);
-    QCOMPARE(steady.shown().value, 2000.0);
-    // Bursts, and what comes back after each.
-    for (int burst = 0; burst < 10; ++burst) {
-        QCOMPARE(follow(late(700), 0.1) + follow(late(1400), 0.4) + follow(whole, 0.2), 0);
-        QCOMPARE(steady.shown().value, 2000.0);
-    }
-    // What lasts is shown: the most of it, and why.
-    QCOMPARE(follow(late(900), 0.5) + follow(late(1000), 0.7), 1);
-    QCOMPARE(steady.shown().value, 1000.0);
-    COMPARE_CONTAINS(steady.shown().reason, QStringLiteral("late"));
-    QCOMPARE(follow(late(1030), 5), 0); // the same, as far as anybody sees
-    QCOMPARE(follow(late(1500), 2), 0);
-    QCOMPARE(follow(whole, 1.2), 1); // and comes back as far as it lasted
-    QCOMPARE(steady.shown().value, 1500.0);
-    QCOMPARE(follow(whole, 3.2), 1);
-    QCOMPARE(steady.shown().value, 2000.0);
-    QVERIFY(!steady.shown().late);
-    // What a person does is shown at once, and is no news.
-    QCOMPARE(follow({600, QStringLiteral("limited by the damping of the surface")}, 0.02), 0);
-    QCOMPARE(steady.shown().value, 600.0);
 }
 
 void TestHealth::jitterDoesNotMoveTheCeilingOfTheWindow() {

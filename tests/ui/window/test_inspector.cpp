@@ -37,8 +37,6 @@ private slots:
     static void initMain() { prepareProcess(); }
     void init() { useSettingsIn(folder_.path()); }
 
-    void unitsOfOneKindAreTaken_data();
-    void unitsOfOneKindAreTaken();
     void aTypedUnitCounts();
     void whatIsNoNumberChangesNothing();
     void severalSurfacesShowMixed();
@@ -49,51 +47,6 @@ private slots:
     void othersBecomeTheSameAsTheActiveOne();
     void normalsAreTurnedOver();
 };
-
-void TestInspector::unitsOfOneKindAreTaken_data() {
-    QTest::addColumn<QString>("typed");
-    QTest::addColumn<QString>("unit");
-    QTest::addColumn<double>("value"); // NaN: not taken
-    const auto row = [](const char* typed, const char* unit, double value) {
-        QTest::newRow(typed) << QString::fromUtf8(typed) << QString::fromUtf8(unit) << value;
-    };
-    const double none = std::nan("");
-    row("1.2 N/mm", "N/m", 1200);
-    row("1,2N/mm", "N/m", 1200);
-    row("0.5 kN/m", "N/m", 500);
-    row("3 N/cm", "N/m", 300);
-    row("800 kg/s^2", "N/m", 800);
-    row("800 kg/s\u00b2", "N/m", 800);
-    row("5 N s/m", "N s/m", 5);
-    row("5 N*s/m", "N s/m", 5);
-    row("5 kg/s", "N s/m", 5);
-    row("2 N ms/mm", "N s/m", 2);
-    row("0.3 cm", "mm", 3);
-    row("250 um", "mm", 0.25);
-    row("250 \u00b5m", "mm", 0.25);
-    row("1 in", "mm", 25.4);
-    row("1e-3 m", "mm", 1);
-    row("1 rad", "\u00b0", 57.29577951308232);
-    row("40 deg", "\u00b0", 40);
-    row("50 %", "", 0.5);
-    row("7", "N/m", 7);
-    row("7 N", "N/m", none);
-    row("7 N/s", "N/m", none);
-    row("7 mm", "", none);
-    row("7 N/", "N/m", none);
-    row("N/m", "N/m", none);
-    row("7 qq", "N/m", none);
-    row("1 2", "N/m", none);
-}
-
-void TestInspector::unitsOfOneKindAreTaken() {
-    QFETCH(QString, typed);
-    QFETCH(QString, unit);
-    QFETCH(double, value);
-    const auto read = readNumber(typed, unit);
-    QCOMPARE(read.has_value(), !std::isnan(value));
-    if (read) QCOMPARE_LE(std::abs(*read - value), 1e-12 * std::abs(value));
-}
 
 void TestInspector::aTypedUnitCounts() {
     TouchedWindow program;

@@ -61,8 +61,6 @@ private slots:
             prefer(each.id, each.parameter.initial);
     }
 
-    void theTableIsInTheOrderOfItsNames();
-    void settingsOfAnotherHandAreBroughtIntoRange();
     void everyRowHasAFieldThatSetsIt();
     void aDragTurnsOrMoves();
     void theWheelGoesWhereItShould();
@@ -70,29 +68,6 @@ private slots:
     void theThemeIsOneWithTheMenus();
     void theJournalIsWrittenAfterSoManyEdits();
 };
-
-void TestPreferences::theTableIsInTheOrderOfItsNames() {
-    std::size_t i = 0;
-    for (const Preference& each : preferenceTable()) {
-        QCOMPARE(std::size_t(each.id), i++);
-        QVERIFY2(each.parameter.allows(each.parameter.initial), each.parameter.key.data());
-        if (!each.choices.empty()) QCOMPARE(each.parameter.maximum, double(each.choices.size() - 1));
-    }
-}
-
-void TestPreferences::settingsOfAnotherHandAreBroughtIntoRange() {
-    QSettings settings;
-    for (const Preference& each : preferenceTable()) {
-        const QString key = asIs(each.parameter.key);
-        for (const QVariant& odd :
-             {QVariant(1e99), QVariant(-1e99), QVariant("nan"), QVariant("red"), QVariant()}) {
-            settings.setValue(key, odd);
-            QVERIFY2(each.parameter.allows(preferred(each.id)), qPrintable(key + u' ' + odd.toString()));
-        }
-        settings.setValue(key, QStringLiteral("red"));
-        QCOMPARE(preferred(each.id), each.parameter.initial);
-    }
-}
 
 void TestPreferences::everyRowHasAFieldThatSetsIt() {
     TouchedWindow program;

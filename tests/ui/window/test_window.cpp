@@ -377,11 +377,6 @@ void TestWindow::numbersHaveAPointInEveryLocale() {
     QCOMPARE(program.box(QStringLiteral("static-friction")).text(), QStringLiteral("0.350"));
     program.type(QStringLiteral("stiffness"), QStringLiteral("1250"));
     QCOMPARE(program.box(QStringLiteral("stiffness")).text(), QStringLiteral("1250"));
-    QCOMPARE(numberText(-0.001, 2), QStringLiteral("0.00"));
-    QCOMPARE(lengthText(0.2), QStringLiteral("200 mm"));
-    QVERIFY(!readNumber(QStringLiteral("nan")));
-    QVERIFY(!readNumber(QStringLiteral("1e999")));
-    QVERIFY(!readNumber(QStringLiteral("1 2")));
     for (const auto* label : program.window->findChildren<QLabel*>())
         QVERIFY2(!label->text().contains(QRegularExpression(QStringLiteral("\\d,\\d"))),
                  qPrintable(label->text()));
