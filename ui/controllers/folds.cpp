@@ -127,10 +127,16 @@ void Folds::showButton(QTabBar& bar) {
     button->setVisible(dock && heights_.contains(window_.dockWidgetArea(const_cast<QDockWidget*>(dock))));
     if (!dock) return;
     const bool folded = isFolded(*dock);
-    button->setIcon(icon(folded ? QStringLiteral("chevron-up") : QStringLiteral("chevron-down")));
-    button->setToolTip(folded ? tr("Unfold these panels")
-                              : tr("Fold these panels, so that the view has their room"));
-    button->setAccessibleName(button->toolTip());
+    // An icon asks for a layout, which calls this: where it stays the same it is not given again, or no
+    // window would rest.
+    const QString looks = QStringLiteral("%1 %2").arg(folded).arg(theme().dark);
+    if (button->property("looks") != looks) {
+        button->setProperty("looks", looks);
+        button->setIcon(icon(folded ? QStringLiteral("chevron-up") : QStringLiteral("chevron-down")));
+        button->setToolTip(folded ? tr("Unfold these panels")
+                                  : tr("Fold these panels, so that the view has their room"));
+        button->setAccessibleName(button->toolTip());
+    }
     const int side = bar.height();
     button->setGeometry(bar.width() - side, 0, side, side);
     button->raise();

@@ -18,6 +18,8 @@ namespace tactum {
 
 namespace {
 
+/// Rates are those of the last half second; each new text lays the whole strip out and draws the window.
+constexpr int kRates = 500;    // ms
 constexpr int kDevicePart = 5; // of the whole width at most, where that is more than it needs
 
 QString kilohertz(double hertz) {
@@ -101,9 +103,13 @@ void StatusStrip::display(const Engine& engine) {
     stop_->setEnabled(on || othersPush_);
     const ServoTelemetry& servo = engine.servo();
     const ProxyTelemetry& proxy = engine.proxy();
-    servo_->setText(
-        tr("servo %1 \u00b1%2 \u00b5s").arg(kilohertz(servo.rate), numberText(servo.jitterMicros, 0)));
-    proxy_->setText(tr("proxy %1  %2 \u00b5s").arg(kilohertz(proxy.rate), numberText(proxy.updateMicros, 1)));
+    if (!sinceRates_.isValid() || sinceRates_.elapsed() >= kRates) {
+        sinceRates_.start();
+        servo_->setText(
+            tr("servo %1 \u00b1%2 \u00b5s").arg(kilohertz(servo.rate), numberText(servo.jitterMicros, 0)));
+        proxy_->setText(
+            tr("proxy %1  %2 \u00b5s").arg(kilohertz(proxy.rate), numberText(proxy.updateMicros, 1)));
+    }
     showTouch(proxy, servo, engine.device());
     const bool idle = proxy.output.contacts == 0 && !hovered_.isEmpty();
     showNote(!fault_.isEmpty()   ? fault_

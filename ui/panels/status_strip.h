@@ -1,6 +1,7 @@
 // The state of the haptics in one line, always visible, with the button that ends all force.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QWidget>
 
 #include "core/runtime/engine.h"
@@ -66,6 +67,7 @@ private:
     QString priority_;    ///< the same in words
     QString fault_, quiet_, touched_, hovered_;
     bool othersPush_ = false;
+    QElapsedTimer sinceRates_; ///< were shown
 };
 
 } // namespace tactum

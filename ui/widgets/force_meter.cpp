@@ -15,6 +15,7 @@ ForceMeter::ForceMeter(QWidget* parent) : QWidget(parent) {
 }
 
 void ForceMeter::setForce(double force, double limit) {
+    if (force == force_ && limit == limit_ && !accessibleName().isEmpty()) return;
     force_ = force;
     limit_ = limit;
     setAccessibleName(tr("Force %1 N of %2 N").arg(numberText(force_, 2), numberText(limit_, 1)));

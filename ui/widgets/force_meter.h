@@ -8,7 +8,7 @@ namespace tactum {
 class ForceMeter : public QWidget {
 public:
     explicit ForceMeter(QWidget* parent = nullptr);
-    /// N; limit > 0.
+    /// N; limit > 0. Draws nothing where both are as before.
     void setForce(double force, double limit);
     QSize sizeHint() const override { return {216, 20}; }
 

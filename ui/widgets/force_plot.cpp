@@ -240,7 +240,7 @@ void ForcePlot::take(const std::vector<TracePoint>& points, const HapticOutput& 
     const double before = history_.end();
     history_.add(points, {&touch, proxyRate, body.value_or(BodyReading{}), touched.toStdString()});
     if (time_.cursor) *time_.cursor += history_.end() - before;
-    refresh();
+    if (!visibleRegion().isEmpty()) refresh(); // folded it would have the whole window drawn, frame by frame
 }
 
 /// Strips of a body only while one is selected that has them.

@@ -12,6 +12,7 @@
 #include <QMimeData>
 #include <QSlider>
 #include <QStackedWidget>
+#include <QTabBar>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
@@ -51,6 +52,7 @@ private slots:
     void init() { useSettingsIn(folder_.path()); }
     void cleanup() { QLocale::setDefault(QLocale::c()); }
 
+    void aWindowAtRestIsNotDrawn();
     void aDroppedModelIsOpened();
     void aBrokenFileIsOneLineAndNoHarm();
     void aSceneThatCannotBeFeltSaysWhy();
@@ -76,6 +78,30 @@ private slots:
     void keysTurnTheCamera();
     void undoneStepsAreDim();
 };
+
+/// Each widget that draws itself has all of the window put together anew. The rates are told twice a second,
+/// and nothing else changes while plots are folded and nobody moves.
+void TestWindow::aWindowAtRestIsNotDrawn() {
+    struct Drawn : QObject {
+        bool eventFilter(QObject*, QEvent* event) override {
+            times += event->type() == QEvent::UpdateRequest;
+            layouts += event->type() == QEvent::LayoutRequest;
+            return false;
+        }
+        int times = 0, layouts = 0;
+    } window, bars;
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    program.command("fold-plots").trigger();
+    QVERIFY(test::waitFor([&] { return program.window->view().rests(); }));
+    program.frames(60);
+    program.window->installEventFilter(&window);
+    for (auto* bar : program.window->findChildren<QTabBar*>())
+        bar->installEventFilter(&bars);
+    program.frames(120);
+    QCOMPARE_LE(window.times, 20);
+    QCOMPARE_LE(bars.layouts, 2);
+}
 
 void TestWindow::aDroppedModelIsOpened() {
     TouchedWindow program;
