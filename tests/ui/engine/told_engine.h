@@ -15,6 +15,8 @@ public:
     ProxyTelemetry proxyTold;
     std::size_t chosen = 0;
     bool runs = true;
+    RecordedRun run;                                  ///< that it has recorded
+    std::vector<std::shared_ptr<const World>> worlds; ///< that it was given
 
     Result<void> start() override { return {}; }
     Result<void> stop() override { return {}; }
@@ -24,7 +26,7 @@ public:
     std::string caution() const override { return {}; }
     Result<void> setWorkspace(const Workspace&) override { return {}; }
     const Workspace& workspace() const override { return workspace_; }
-    void publish(std::shared_ptr<const World>) override {}
+    void publish(std::shared_ptr<const World> world) override { worlds.push_back(std::move(world)); }
     std::uint64_t publishedAfter() const override { return 0; }
     void setArmed(bool armed) override { of[chosen].armed = armed; }
     void fade() override { of[chosen].armed = false; }
@@ -45,7 +47,7 @@ public:
     const ServoTelemetry& servo() const override { return of[chosen].servo; }
     bool servoStandsStill() const override { return of[chosen].standsStill; }
     bool popTrace(TracePoint&) override { return false; }
-    RecordedRun recorded() const override { return {}; }
+    RecordedRun recorded() const override { return run; }
     const DeviceInfo& device() const override { return of[chosen].device; }
     bool hasRealtimePriority() const override { return true; }
     const std::string& priorityNote() const override { return note_; }

@@ -13,7 +13,7 @@
 #include <QTimer>
 #include <QTreeWidget>
 
-#include "tests/ui/window/fake_devices.h"
+#include "tests/ui/fake_devices.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/engine/device_link.h"
 #include "ui/panels/device_panel.h"

@@ -8,7 +8,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
-#include "tests/ui/window/fake_devices.h"
+#include "tests/ui/fake_devices.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/base/style.h"
 #include "ui/engine/device_link.h"
