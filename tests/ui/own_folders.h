@@ -2,8 +2,10 @@
 #pragma once
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QSettings>
 #include <QString>
+#include <QTemporaryDir>
 
 namespace tactum {
 
@@ -16,5 +18,21 @@ inline void useFoldersIn(const QString& folder) {
     qputenv("XDG_DATA_HOME", folder.toLocal8Bit());
     qputenv("XDG_CACHE_HOME", folder.toLocal8Bit());
 }
+
+/// A new one for each test function.
+class FoldersOfEach {
+public:
+    /// Empty; settings, data and cache are in it from now on.
+    QString next() {
+        const QString folder = root_.filePath(QString::number(count_++));
+        QDir().mkpath(folder);
+        useFoldersIn(folder);
+        return folder;
+    }
+
+private:
+    QTemporaryDir root_;
+    int count_ = 0;
+};
 
 } // namespace tactum

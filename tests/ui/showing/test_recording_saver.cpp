@@ -51,16 +51,11 @@ std::string reasonIn(const QString& file) {
 class TestRecordingSaver : public QObject {
     Q_OBJECT
 
-    QTemporaryDir folder_;
-    int count_ = 0;
+    FoldersOfEach folders_;
     QString own_;
 
 private slots:
-    void init() {
-        own_ = folder_.filePath(QString::number(count_++));
-        QDir().mkpath(own_);
-        useFoldersIn(own_);
-    }
+    void init() { own_ = folders_.next(); }
 
     void aRecordingIsKnownByItsEnding() {
         QVERIFY(isRecording(QStringLiteral("/tmp/a.tactum-recording")));

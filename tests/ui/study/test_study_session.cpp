@@ -115,16 +115,11 @@ double stiffnessOf(const Study& study, const Stimulus& stimulus) {
 class TestStudySession : public QObject {
     Q_OBJECT
 
-    QTemporaryDir folder_;
-    int count_ = 0;
+    FoldersOfEach folders_;
     QString own_;
 
 private slots:
-    void init() {
-        own_ = folder_.filePath(QString::number(count_++));
-        QDir().mkpath(own_);
-        useFoldersIn(own_);
-    }
+    void init() { own_ = folders_.next(); }
 
     // Each interval is felt as the plan says, each answer is in the log, in its order, with its seed.
     void everyTrialIsFeltAskedAndLogged() {
