@@ -12,9 +12,9 @@
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 #include "tests/support/waiting.h"
-#include "tests/ui/engine/told_engine.h"
 #include "tests/ui/fake_devices.h"
 #include "tests/ui/own_folders.h"
+#include "tests/ui/told_engine.h"
 #include "ui/base/preferences.h"
 #include "ui/engine/device_link.h"
 

@@ -10,7 +10,7 @@
 #include "core/safety/motor_heat.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
-#include "tests/ui/engine/told_engine.h"
+#include "tests/ui/told_engine.h"
 #include "ui/engine/guard_watch.h"
 
 namespace test_guard_watch {

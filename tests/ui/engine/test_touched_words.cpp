@@ -8,7 +8,7 @@
 #include "core/scene/primitives.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
-#include "tests/ui/engine/told_engine.h"
+#include "tests/ui/told_engine.h"
 #include "ui/engine/hand_name.h"
 #include "ui/engine/touched.h"
 

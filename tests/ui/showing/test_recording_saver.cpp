@@ -12,8 +12,8 @@
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 #include "tests/support/waiting.h"
-#include "tests/ui/engine/told_engine.h"
 #include "tests/ui/own_folders.h"
+#include "tests/ui/told_engine.h"
 #include "ui/showing/recording_saver.h"
 
 namespace test_recording_saver {

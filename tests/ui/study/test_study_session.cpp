@@ -16,8 +16,8 @@
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 #include "tests/support/waiting.h"
-#include "tests/ui/engine/told_engine.h"
 #include "tests/ui/own_folders.h"
+#include "tests/ui/told_engine.h"
 #include "ui/engine/world_publisher.h"
 #include "ui/study/study_session.h"
 
