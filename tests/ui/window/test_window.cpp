@@ -102,7 +102,7 @@ void TestWindow::aWindowAtRestIsNotDrawn() {
     QElapsedTimer clock;
     clock.start();
     program.frames(120);
-    QCOMPARE_LE(window.times, 4 + clock.elapsed() / 125); // two rates each half second, twice over
+    QCOMPARE_LE(window.times, 4 + clock.elapsed() / 200); // ten in two seconds, for the rates
     QCOMPARE_LE(bars.layouts, 2);
 }
 
