@@ -31,7 +31,7 @@ Rest watch(ClosedLoop& loop, double seconds) {
             touched |= now.command.z() > 0;
         }
         if (now.time < seconds - kWatched) return;
-        motion.add(now.plant.axis[2].x);
+        motion.add(now.plant.x[2]);
         force.add(now.command.z());
         sum += now.command.z();
         ++count;

@@ -201,7 +201,7 @@ Seen meet(const Bench& bench, const Beside& beside, const Meeting& meeting, bool
         seen.jump = std::max(seen.jump, std::abs(now.command.z() - last));
         last = now.command.z();
         if (now.time < seconds - 0.5) return;
-        motion.add(now.plant.axis[2].x);
+        motion.add(now.plant.x[2]);
         force.add(last);
         body.add(proxy.state.bodies.q[0]);
     });

@@ -37,11 +37,11 @@ struct Resting {
 
 /// J, that the person's side holds: muscles as a constant force, and the arm's spring.
 double held(const ClosedLoop& loop) {
-    const PlantAxis& axis = loop.plant.axis[2];
+    const Plant& plant = loop.plant;
     const HandProfile& hand = loop.bench().hand;
-    const double stretch = axis.handX - axis.goal;
-    return -loop.plant.voluntary.z() * axis.handX + 0.5 * hand.armStiffness * stretch * stretch +
-           0.5 * hand.gripStiffness * std::pow(axis.x - axis.handX, 2);
+    const double stretch = plant.handX[2] - plant.goal[2];
+    return -plant.voluntary.z() * plant.handX[2] + 0.5 * hand.armStiffness * stretch * stretch +
+           0.5 * hand.gripStiffness * std::pow(plant.x[2] - plant.handX[2], 2);
 }
 
 /// A wall that may move, become stiffer and be slewed: what the product does not do.
@@ -179,7 +179,7 @@ private slots:
         qInfo("%.3f m/s, %.3f N in a tick", event.speed, event.jump);
         QCOMPARE_LE(event.speed, kFastest);
         QCOMPARE_LE(event.jump, 1500 * kFalcon.resolution + 0.05);
-        QCOMPARE_GT(loop.plant.axis[2].x, -1e-3 + 0.2 * (1e-3 - depth)); // it did come
+        QCOMPARE_GT(loop.plant.x[2], -1e-3 + 0.2 * (1e-3 - depth)); // it did come
     }
 
     void lostInsideComesBackGently_data() {
@@ -308,8 +308,8 @@ private slots:
             loop.run(2);
             double low = 1, high = -1, given = loop.plant.given();
             loop.run(0.5, [&](const ClosedLoop& now) {
-                low = std::min(low, now.plant.axis[2].x);
-                high = std::max(high, now.plant.axis[2].x);
+                low = std::min(low, now.plant.x[2]);
+                high = std::max(high, now.plant.x[2]);
             });
             qInfo("%g N/s: %.1f mm, %.0f mJ", slew, 1e3 * (high - low), 1e3 * given);
             return high - low;

@@ -150,14 +150,12 @@ private:
 };
 
 double Schedule::held() const {
-    double sum = 0;
-    for (const PlantAxis& axis : loop_.plant.axis) {
-        const double x = bench_.hand.rigid ? axis.x : axis.handX;
-        const double grip = bench_.hand.rigid ? 0 : axis.x - axis.handX;
-        sum += 0.5 * bench_.hand.armStiffness * std::pow(x - axis.goal, 2) +
-               0.5 * bench_.hand.gripStiffness * grip * grip;
-    }
-    return sum;
+    const Plant& plant = loop_.plant;
+    const HandProfile& hand = bench_.hand;
+    const Axes x = hand.rigid ? plant.x : plant.handX;
+    return (0.5 * hand.armStiffness * (x - plant.goal).square() +
+            0.5 * hand.gripStiffness * (plant.x - x).square())
+        .sum();
 }
 
 /// J: what was given and what the spring holds, less what surroundings on their way back may do.

@@ -26,7 +26,7 @@ double growth(double mass, double damping, double stiffness, int delay) {
     loop.plant.place({0, 0, 1e-3});
     double early = 0, late = 0;
     loop.run(8, [&](const ClosedLoop& now) {
-        (now.time < 4 ? early : late) += now.plant.axis[2].x * now.plant.axis[2].x;
+        (now.time < 4 ? early : late) += now.plant.x[2] * now.plant.x[2];
     });
     return late / early;
 }

@@ -60,7 +60,7 @@ struct Pulled {
         loop.plant.voluntary.setZero();
         loop.plant.setGoal(Vec3::Zero());
     }
-    double excess() const { return -loop.plant.axis[2].x - border(); }
+    double excess() const { return -loop.plant.x[2] - border(); }
     template <class Each> Still watch(double seconds, Each&& each) {
         Still still;
         const double end = loop.time + seconds;
@@ -72,8 +72,8 @@ struct Pulled {
             still.peak = std::max(still.peak, now.command.norm());
             last = now.command.norm();
             if (now.time < end - kWatched) return;
-            still.low = std::min(still.low, now.plant.axis[2].x);
-            still.high = std::max(still.high, now.plant.axis[2].x);
+            still.low = std::min(still.low, now.plant.x[2]);
+            still.high = std::max(still.high, now.plant.x[2]);
             still.force = now.command.z();
         });
         return still;

@@ -19,11 +19,11 @@ namespace {
 constexpr double kWall = 1500, kArrival = 0.56; // N/m, m/s
 
 double kineticEnergy(const ClosedLoop& loop, bool outward) {
-    const PlantAxis& axis = loop.plant.axis[2];
+    const Plant& plant = loop.plant;
     const Bench& bench = loop.bench();
     const auto of = [=](double mass, double v) { return outward && v < 0 ? 0 : 0.5 * mass * v * v; };
-    const double hand = bench.hand.rigid ? axis.v : axis.handV;
-    return of(bench.device.mass, axis.v) + of(bench.hand.mass, hand);
+    const double hand = bench.hand.rigid ? plant.v[2] : plant.handV[2];
+    return of(bench.device.mass, plant.v[2]) + of(bench.hand.mass, hand);
 }
 
 /// A hand that hits the wall, and the stall at that moment.
@@ -37,7 +37,7 @@ Stalled stallAtImpact(ClosedLoop& loop, double length) {
     loop.plant.setGoal(Vec3::Zero());
     loop.plant.voluntary.z() = -1;
     loop.warmUp();
-    while (loop.plant.axis[2].x > -0.0005)
+    while (loop.plant.x[2] > -0.0005)
         loop.tick();
     Stalled result;
     result.before = kineticEnergy(loop, false);
