@@ -26,7 +26,10 @@ public:
     static void initMain() { prepareProcess(); }
 
 private slots:
-    void initTestCase() { useSettingsIn(settings_.path()); }
+    void initTestCase() {
+        useSettingsIn(settings_.path());
+        unfoldPlots();
+    }
     void everyHandIsThere();
     void handsComeAndGoWithTheServer();
     void aProcessWithTwoDevicesIsFelt();

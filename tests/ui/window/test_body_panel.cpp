@@ -104,7 +104,10 @@ public:
     static void initMain() { prepareProcess(); }
 
 private slots:
-    void init() { useSettingsIn(folder_.path()); }
+    void init() {
+        useSettingsIn(folder_.path());
+        unfoldPlots();
+    }
 
     void aCrankOutOfBareMeshes() {
         TouchedWindow program({1400, 1000});

@@ -55,6 +55,7 @@ private slots:
     void initTestCase() {
         QVERIFY(settings_.isValid());
         useSettingsIn(settings_.path());
+        unfoldPlots();
     }
     void cleanup() { QSettings().clear(); }
 

@@ -85,6 +85,7 @@ private slots:
     static void initMain() { prepareProcess(); }
     void init() {
         useSettingsIn(folder_.path()); // every fault is saved as a recording there
+        unfoldPlots();
     }
 
     void everyReasonHasItsWords();

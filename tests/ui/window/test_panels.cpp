@@ -31,7 +31,10 @@ class TestPanels : public QObject {
 
 private slots:
     static void initMain() { prepareProcess(); }
-    void init() { useSettingsIn(folder_.path()); }
+    void init() {
+        useSettingsIn(folder_.path());
+        unfoldPlots();
+    }
 
     void theViewHasItsRoom_data();
     void theViewHasItsRoom();

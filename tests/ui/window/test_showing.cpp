@@ -64,7 +64,10 @@ class TestShowing : public QObject {
 
 private slots:
     static void initMain() { prepareProcess(); }
-    void init() { useSettingsIn(folder_.path()); }
+    void init() {
+        useSettingsIn(folder_.path());
+        unfoldPlots();
+    }
 
     void theViewBecomesAVideo();
     void theBadgeIsNotInIt();

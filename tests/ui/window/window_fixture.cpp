@@ -31,8 +31,10 @@ void prepareProcess() {
 
 void useSettingsIn(const QString& folder) {
     useFoldersIn(folder);
-    QSettings().setValue(QStringLiteral("window/folded"),
-                         QStringList()); // a person who wants to see the plots
+}
+
+void unfoldPlots() {
+    QSettings().setValue(QStringLiteral("window/folded"), QStringList());
 }
 
 namespace {

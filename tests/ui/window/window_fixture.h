@@ -23,8 +23,10 @@ namespace tactum {
 
 /// What a program must do once before its first window: surface format, C numbers, settings in `folder`.
 void prepareProcess();
-/// The panels are unfolded there.
+/// As somebody finds it who starts the program for the first time: the plots are folded.
 void useSettingsIn(const QString& folder);
+/// For a person who wants to see the plots; before the window is made.
+void unfoldPlots();
 
 /// For the macros of Qt Test, which wait with the patience of tests/support/patience.h whatever it says here.
 inline constexpr int kPatience = 60000; // ms
