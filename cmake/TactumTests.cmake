@@ -60,15 +60,16 @@ target_link_libraries(tactum_test_program PRIVATE tactum_options PUBLIC tactum_b
 tactum_as_tests(tactum_test_program tactum_test_headers)
 
 # tactum_tests(ROOM TESTS name... [SOURCES file...] [BARE file...] [USES room...] [LINKS target...] [DEFINES macro=value...]
-#              [GUI name...] [LONG name...] [LOOPS name...] [ALONE name...] [LABELS label...] [PROGRAM name] [UNDER program] [SUFFIX text])
+#              [GUI name...] [COARSE name...] [LONG name...] [LOOPS name...] [ALONE name...] [LABELS label...] [PROGRAM name] [UNDER program] [SUFFIX text])
 # One program with tests/ROOM/test_name.cpp for each name, and a CTest test `test_name` for each, which runs alone in a
 # process of its own. Labels: the room, for ./check ROOM; `gui` has a screen of its own; `long` is for ./check --all.
 # SOURCES: what its tests share; BARE: what defines malloc() or open() for the whole program, and is compiled by itself.
+# COARSE: half the device pixels each way, where nobody looks at them: a quarter of what the processor draws.
 # LOOPS: see tactum_loops(). ALONE: nothing else runs beside it.
 # PROGRAM: the room's second program, where one has to be linked differently. UNDER: what starts it. SUFFIX: goes on the
 # names of tests that run a second time.
 function(tactum_tests room)
-  cmake_parse_arguments(T "" "PROGRAM;UNDER;SUFFIX" "TESTS;SOURCES;BARE;USES;LINKS;DEFINES;GUI;LONG;LOOPS;ALONE;LABELS" ${ARGN})
+  cmake_parse_arguments(T "" "PROGRAM;UNDER;SUFFIX" "TESTS;SOURCES;BARE;USES;LINKS;DEFINES;GUI;COARSE;LONG;LOOPS;ALONE;LABELS" ${ARGN})
   string(REPLACE "/" "-" folder "${room}")
   if(T_PROGRAM)
     set(program "${T_PROGRAM}-tests")
@@ -107,6 +108,9 @@ function(tactum_tests room)
       tactum_gui_ctest(${test} ROOM ${room} LABELS ${T_LABELS} ${command})
     else()
       tactum_ctest(${test} ROOM ${room} LABELS ${T_LABELS} ${command})
+    endif()
+    if(name IN_LIST T_COARSE)
+      set_property(TEST ${test} APPEND PROPERTY ENVIRONMENT QT_SCALE_FACTOR=0.5)
     endif()
     if(name IN_LIST T_LONG)
       set_property(TEST ${test} APPEND PROPERTY LABELS long)

@@ -29,11 +29,11 @@ public:
     double given() const { return given_[0] + given_[1] + given_[2]; }
     void setGoal(const Vec3& at) { goal = lanes(at); }
 
-    Vec3 voluntary = Vec3::Zero();                     ///< N, of the person's muscles
-    Axes x = Axes::Zero(), v = Axes::Zero();           ///< of the device: m, m/s
-    Axes handX = Axes::Zero(), handV = Axes::Zero();   ///< of the hand
-    Axes goal = Axes::Zero();                          ///< m, where the arm's spring rests
-    Axes force = Axes::Zero();                         ///< N, of the amplifiers now
+    Vec3 voluntary = Vec3::Zero();                   ///< N, of the person's muscles
+    Axes x = Axes::Zero(), v = Axes::Zero();         ///< of the device: m, m/s
+    Axes handX = Axes::Zero(), handV = Axes::Zero(); ///< of the hand
+    Axes goal = Axes::Zero();                        ///< m, where the arm's spring rests
+    Axes force = Axes::Zero();                       ///< N, of the amplifiers now
 
 private:
     /// What depends on the length of a step alone: the steps of a tick are as long as each other.

@@ -25,9 +25,8 @@ double growth(double mass, double damping, double stiffness, int delay) {
                     [=](const DeviceSample& sample, double) { return Vec3(-stiffness * sample.position); });
     loop.plant.place({0, 0, 1e-3});
     double early = 0, late = 0;
-    loop.run(8, [&](const ClosedLoop& now) {
-        (now.time < 4 ? early : late) += now.plant.x[2] * now.plant.x[2];
-    });
+    loop.run(
+        8, [&](const ClosedLoop& now) { (now.time < 4 ? early : late) += now.plant.x[2] * now.plant.x[2]; });
     return late / early;
 }
 

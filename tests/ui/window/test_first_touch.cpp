@@ -57,6 +57,7 @@ private slots:
 
 void TestFirstTouch::init() {
     useSettingsIn(folder_.path());
+    unfoldPlots();
     program_ = std::make_unique<TouchedWindow>();
     QVERIFY(program_->open(writeCube(folder_)));
     program_->window->view().showStandardView(StandardView::Front);

@@ -85,7 +85,10 @@ class TestNarrow : public QObject {
 
 private slots:
     static void initMain() { prepareProcess(); }
-    void init() { useSettingsIn(folder_.path()); }
+    void init() {
+        useSettingsIn(folder_.path());
+        unfoldPlots();
+    }
 
     void theForcesAreInReach_data();
     void theForcesAreInReach();

@@ -58,7 +58,10 @@ class TestPlayback : public QObject {
 
 private slots:
     static void initMain() { prepareProcess(); }
-    void init() { useSettingsIn(folder_.path()); }
+    void init() {
+        useSettingsIn(folder_.path());
+        unfoldPlots();
+    }
     void initTestCase();
 
     void itIsShownInsteadOfTheLiveScene();

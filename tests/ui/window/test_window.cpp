@@ -93,7 +93,6 @@ void TestWindow::aWindowAtRestIsNotDrawn() {
     } window, bars;
     TouchedWindow program;
     QVERIFY(program.open(writeCube(folder_)));
-    program.command("fold-plots").trigger();
     QVERIFY(test::waitFor([&] { return program.window->view().rests(); }));
     program.frames(60);
     program.window->installEventFilter(&window);
