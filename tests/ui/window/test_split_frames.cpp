@@ -42,7 +42,10 @@ class TestSplitFrames : public QObject {
 
 private slots:
     static void initMain() { prepareProcess(); }
-    void init() { useSettingsIn(folder_.path()); }
+    void init() {
+        useSettingsIn(folder_.path());
+        unfoldPlots(); // panes in which the finger has room beside the model
+    }
     void cleanup() { QSettings().clear(); }
 
     void aViewIsSeenWholeInHalfTheWidthAndComesBack_data();
