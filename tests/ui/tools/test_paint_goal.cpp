@@ -63,6 +63,8 @@ private slots:
         QCOMPARE(paintPlaceOf(surface, PaintGoal::StaticFriction, {}).value(), (PaintPlace{3, false}));
         surface.layers[3].enabled = false;
         QCOMPARE(paintPlaceOf(surface, PaintGoal::StaticFriction, {}).value(), (PaintPlace{1, false}));
+        surface.layers.erase(surface.layers.begin()); // the lowest of all
+        QCOMPARE(paintPlaceOf(surface, PaintGoal::StaticFriction, {}).value(), (PaintPlace{0, false}));
     }
 
     void noMoreLayersThanAreFelt() {
