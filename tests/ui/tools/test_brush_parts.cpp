@@ -137,6 +137,28 @@ private slots:
         QCOMPARE(ground.coverOf(0, pattern), nullptr);
         QCOMPARE(ground.reach(), ground.reach()); // worked out once
     }
+
+    // The texels that lie on one surface are not those of another one with the same image.
+    void eachSurfaceHasItsTexels() {
+        TriangleSoup withUvs = *halves();
+        for (const auto& triangle : withUvs.triangles)
+            for (const Index corner : triangle) {
+                const Vec3& p = withUvs.positions[corner];
+                withUvs.cornerUvs.emplace_back(float(p.x() / 0.2 + 0.5), float(p.y() / 0.2 + 0.5));
+            }
+        const auto soup = std::make_shared<const TriangleSoup>(std::move(withUvs));
+        PaintGround ground(soup);
+        TexturePattern pattern;
+        pattern.source = TextureSource::Image;
+        pattern.mapping = TextureMapping::UvUnit; // both of one size
+        pattern.image = std::make_shared<const TextureImage>(8, 8, std::vector<std::uint16_t>(64));
+        const auto left = ground.coverOf(0, pattern), right = ground.coverOf(1, pattern);
+        QVERIFY(left && right);
+        QVERIFY2(left != right, "each its own");
+        QCOMPARE(ground.coverOf(0, pattern), left); // worked out once
+        pattern.source = TextureSource::Noise;
+        QVERIFY(!texelMapOf(pattern, soup, 0));
+    }
 };
 
 TACTUM_TEST(TestBrushParts)
