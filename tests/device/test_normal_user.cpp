@@ -150,7 +150,7 @@ class TestNormalUser : public QObject {
 private slots:
     void aSurfaceIsHeldOnABusyMachine() {
         const Load load(2 * std::thread::hardware_concurrency());
-        const Held held = heldWithoutRights(isLong() ? 30 : 6);
+        const Held held = heldWithoutRights(longOnly(60));
         QVERIFY2(held.started, "the loops run without a right");
         qInfo("%.1f s, %.2f %% of it with force, worst gap %.1f ms; %s", held.seconds,
               100 * held.withForce / held.seconds, 1e3 * held.worstGap, held.granted);
