@@ -195,12 +195,11 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
 }
 
 void rehearse(const World& world, const HandState& state, double time, const HapticInput& next, double dt,
-              ProxyState& copy) noexcept {
-    if (state.shapeRevision != world.shapeRevision || !next.finger.allFinite()) return;
-    copy = state.proxy;
-    const StepMotions movers(world.movers, time, time, world.drivenMotions());
-    moveAndUpdate(copy, world.obstaclesAt(next.fidelity), world.proxyRadius, next.finger, dt, movers,
-                  roundsAt(next.fidelity), &world.near);
+              HandState& copy) noexcept {
+    if (state.shapeRevision != world.shapeRevision || !canBe(next)) return;
+    copy = state;
+    HandStep hand{copy, next};
+    touch(world, StepMotions(world.movers, time, time, world.drivenMotions()), hand, dt);
 }
 
 } // namespace tactum

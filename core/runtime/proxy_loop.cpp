@@ -13,6 +13,9 @@ namespace {
 
 template <class T> using PerHand = std::array<T, std::size_t(kMaxHands)>;
 
+/// Of every hand.
+using Fingers = PerHand<FingerSample>;
+
 /// What the proxy loop remembers from step to step.
 struct Proxy {
     Channels& channels;
@@ -24,7 +27,9 @@ struct Proxy {
     DegradationController ladder;
     SimState state{};
     std::vector<HandState> others; ///< the second hand and so on
-    ProxyState rehearsed{};        ///< thrown away each time
+    HandState rehearsed{};         ///< thrown away each time
+    Fingers fingers{};             ///< as the last step had them
+    double took = 0;               ///< s, the last step
     HalfSecond updates{};
     ProxyTelemetry telemetry{};
     double begun = 0; ///< s, when the metronome was made, on the recorder's clock
@@ -33,9 +38,6 @@ struct Proxy {
 const HandState& stateOf(const Proxy& proxy, std::size_t hand) noexcept {
     return hand == 0 ? proxy.state : proxy.others[hand - 1];
 }
-
-/// Of every hand.
-using Fingers = PerHand<FingerSample>;
 
 /// The load first: an exchange at every tick would take the cache line from the ui thread for nothing.
 void takeWorld(Proxy& proxy) noexcept {
@@ -145,9 +147,9 @@ void reportOthers(Proxy& proxy, const PerHand<HapticOutput>& outputs, const Fing
 }
 
 void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const Tick& tick,
-            double micros) noexcept {
-    proxy.updates.add(tick.time, micros);
-    proxy.ladder(tick.time, 1e-6 * micros);
+            double took) noexcept {
+    proxy.updates.add(tick.time, 1e6 * took);
+    proxy.ladder(tick.time, took);
     ProxyTelemetry& telemetry = proxy.telemetry;
     telemetry.output = output;
     telemetry.finger = finger;
@@ -168,13 +170,14 @@ void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const 
     proxy.channels.proxyTelemetry.write(telemetry);
 }
 
-// Between two steps the caches forget the mesh. Where there is time the next step is gone through beforehand,
-// hand by hand, with each finger where it will be then if it goes on as it does.
-void rehearseNext(Proxy& proxy, const Fingers& fingers, const Tick& tick, double period) noexcept {
+// While the loop slept the caches forgot the mesh. Where there is time the step is gone through beforehand,
+// hand by hand, with each finger where it is if it went on as it did. Only then are the fingers read: what
+// they did meanwhile is in the step, and from reading to force it is short.
+void rehearseStep(Proxy& proxy, const Tick& tick, double period) noexcept {
     for (std::size_t i = 0; i < proxy.channels.hands(); ++i) {
-        const double spent = 1e-9 * double(monotonicNanoseconds() - tick.woke);
+        const double spent = proxy.took + 1e-9 * double(monotonicNanoseconds() - tick.woke);
         if (spent > kRehearsed * period) return;
-        const FingerSample& finger = fingers[i];
+        const FingerSample& finger = proxy.fingers[i];
         if (!finger.valid) continue;
         const HapticInput next{.finger = finger.position + period * finger.velocity,
                                .fingerVelocity = finger.velocity,
@@ -190,7 +193,7 @@ void proxyLoop(Channels& channels, double rate, double budget) noexcept {
                 .ladder = DegradationController(budget),
                 .others = std::vector<HandState>(channels.others.size()),
                 .begun = channels.recorder.now()};
-    Fingers fingers;
+    Fingers& fingers = proxy.fingers;
     Metronome metronome(rate, kProxyRest);
     while (!channels.stop.load(std::memory_order_relaxed)) {
         const Tick tick = metronome.wait();
@@ -198,6 +201,7 @@ void proxyLoop(Channels& channels, double rate, double budget) noexcept {
         const RealtimeScope scope;
         takeWorld(proxy);
         obeyCommands(proxy);
+        if (proxy.world) rehearseStep(proxy, tick, metronome.period());
         if (!takeFingers(channels, fingers) || !proxy.world) {
             proxy.updates.begin(tick.time);
             continue;
@@ -207,8 +211,8 @@ void proxyLoop(Channels& channels, double rate, double budget) noexcept {
         const PerHand<HapticOutput> outputs = step(proxy, fingers, tick);
         publishModels(proxy, outputs);
         reportOthers(proxy, outputs, fingers);
-        report(proxy, outputs[0], fingers[0].position, tick, 1e-3 * double(monotonicNanoseconds() - begun));
-        rehearseNext(proxy, fingers, tick, metronome.period());
+        proxy.took = 1e-9 * double(monotonicNanoseconds() - begun);
+        report(proxy, outputs[0], fingers[0].position, tick, proxy.took);
     }
 }
 

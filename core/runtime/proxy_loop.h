@@ -10,8 +10,8 @@ inline constexpr double kShortestStep = 1e-4, kLongestStep = 5e-3;
 /// A step that takes longer than its period still sleeps for this part of it.
 inline constexpr double kProxyRest = 0.125;
 
-/// A step that took no more than this part of its period leaves time to rehearse the next one of a hand; so
-/// does one with the hands that were rehearsed after it.
+/// A step is rehearsed while the last one, and what was rehearsed before it, took no more than this part of
+/// the period.
 inline constexpr double kRehearsed = 0.25;
 
 /// Runs until channels.stop, `rate` times a second or as often as its work allows. Steps that take longer

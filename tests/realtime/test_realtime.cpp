@@ -205,7 +205,7 @@ private slots:
                           .rate = 1 / kStep,
                           .damping = 8,
                           .tripSpeed = 100});
-        const auto rehearsed = std::make_unique<ProxyState>();
+        const auto rehearsed = std::make_unique<HandState>();
         const int steps = tactum::test::longOnly(1'000'000);
         int touching = 0, slipping = 0, riding = 0, squeezed = 0;
         PageFaults faults;

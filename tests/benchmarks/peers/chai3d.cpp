@@ -1,8 +1,8 @@
 // The finger proxy of CHAI3D 3.3 on the meshes and fingers of our benchmark, measured as bench_haptics
 // measures ours. Not built by this project; docs/performance.md says how.
 //
-// chai3d FOLDER/NAME: reads NAME.ply (binary, as `bench_haptics --write` makes it) or NAME.obj, and NAME.csv;
-// prints one line of JSON.
+// chai3d FOLDER/NAME [--paced]: reads NAME.ply (binary, as `bench_haptics --write` makes it) or NAME.obj, and
+// NAME.csv; prints one line of JSON. --paced: one update a millisecond, as bench-pace does it.
 
 #include <algorithm>
 #include <array>
@@ -11,6 +11,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <sched.h>
@@ -21,7 +22,8 @@
 namespace {
 
 constexpr double kRadius = 1e-3, kStiffness = 1000;
-constexpr int kRepetitions = 5;
+constexpr int kRepetitions = 5, kPacedRepetitions = 2;
+constexpr std::size_t kPacedRows = 4000;
 
 struct Mesh {
     std::vector<std::array<double, 3>> positions;
@@ -105,13 +107,15 @@ chai3d::cWorld* worldOf(const Mesh& mesh) {
 }
 
 // Each row at its fastest, us.
-std::vector<double> replay(chai3d::cWorld* world, const std::vector<chai3d::cVector3d>& finger) {
+std::vector<double> replay(chai3d::cWorld* world, const std::vector<chai3d::cVector3d>& finger, bool paced) {
     std::vector<double> best(finger.size(), 1e300);
-    for (int repetition = 0; repetition < kRepetitions; ++repetition) {
+    for (int repetition = 0; repetition < (paced ? kPacedRepetitions : kRepetitions); ++repetition) {
         chai3d::cAlgorithmFingerProxy proxy;
         proxy.setProxyRadius(kRadius);
         proxy.initialize(world, finger.front());
+        auto due = std::chrono::steady_clock::now();
         for (std::size_t i = 0; i < finger.size(); ++i) {
+            if (paced) std::this_thread::sleep_until(due += std::chrono::milliseconds(1));
             const auto from = std::chrono::steady_clock::now();
             proxy.computeForces(finger[i], chai3d::cVector3d(0, 0, 0));
             const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - from;
@@ -124,14 +128,16 @@ std::vector<double> replay(chai3d::cWorld* world, const std::vector<chai3d::cVec
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) return std::fputs("chai3d FOLDER/NAME\n", stderr), 2;
+    const bool paced = argc == 3 && argv[2] == std::string("--paced");
+    if (argc != 2 && !paced) return std::fputs("chai3d FOLDER/NAME [--paced]\n", stderr), 2;
     useTheLastCore();
     const std::string base = argv[1];
     const Mesh mesh = read(base);
-    const auto finger = fingerOf(base);
+    auto finger = fingerOf(base);
+    if (paced && finger.size() > kPacedRows) finger.resize(kPacedRows);
     if (mesh.triangles.empty() || finger.empty())
         return std::fprintf(stderr, "%s: no mesh or no finger\n", argv[1]), 1;
-    std::vector<double> times = replay(worldOf(mesh), finger);
+    std::vector<double> times = replay(worldOf(mesh), finger, paced);
     double sum = 0;
     for (const double t : times)
         sum += t;

@@ -248,7 +248,7 @@ void HapticStepTest::mixesMaterialsByTheirPush() {
 void HapticStepTest::aRehearsalChangesNothing() {
     const auto world = worldOf(eggCrate(0.05, 60, 1e-3, 8e-3), {800, 1, 0.3, 0.2, 0}, kRadius);
     SimState plain, rehearsed;
-    ProxyState copy;
+    HandState copy;
     Vec3 before(-0.02, 0, 0.01);
     int touching = 0;
     for (int i = 0; i < 2000; ++i) {
