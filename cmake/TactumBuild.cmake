@@ -12,8 +12,9 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
-# "Check" is what the tests run: optimised, so that 10^6 haptic steps take seconds, but with assertions.
-set(CMAKE_CXX_FLAGS_CHECK "-O2 -g1" CACHE STRING "" FORCE)
+# "Check" is what the tests run: optimised, so that 10^6 haptic steps take seconds, but with assertions, also of what is looked up
+# beyond the end of an array or in an optional that is empty.
+set(CMAKE_CXX_FLAGS_CHECK "-O2 -g1 -D_GLIBCXX_ASSERTIONS" CACHE STRING "" FORCE)
 set(CMAKE_C_FLAGS_CHECK "-O2 -g1" CACHE STRING "" FORCE)
 # The rooms of a haptic step ask for more (core/CMakeLists.txt): the others gain nothing and build a sixth longer.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG" CACHE STRING "" FORCE)

@@ -57,7 +57,7 @@ private:
     void takeBackGuess() noexcept;
     Planes planes() noexcept;
     bool round() noexcept;
-    bool comesOut() noexcept;
+    void comeOut() noexcept;
     Vec3 unconstrainedByFriction() noexcept;
     NearestPoint updatePlain() noexcept;
     void countStillSteps() noexcept;

@@ -130,7 +130,7 @@ Step::Planes Step::planes() noexcept {
 // Update (2.2), friction (4), move (2.1). False when the proxy has come to rest for this step.
 bool Step::round() noexcept {
     guessed_ = smooth_ = false;
-    if (comesOut()) return true;
+    comeOut();
     const Vec3 wish = unconstrainedByFriction();
     if (wish.norm() <= rest_) return false;
     // Friction holds the slide back, never the way down onto what is pressed.
@@ -183,17 +183,17 @@ bool Step::round() noexcept {
 
 // A proxy that was squeezed leaves the surfaces as soon as there is room, by the shortest way: friction
 // holds it where it is, not inside of what it touches.
-bool Step::comesOut() noexcept {
+void Step::comeOut() noexcept {
     const auto isInside = [this](const Contact& c) { return c.gap < -kKeep * kSkin * radius_; };
-    if (std::ranges::none_of(contacts(), isInside)) return false;
+    if (std::ranges::none_of(contacts(), isInside)) return;
     const NearestPoint out = nearestPoint(Vec3::Zero(), planes().all());
-    if (!out.feasible) return false;
+    if (!out.feasible) return;
     std::uint32_t body = kNoBody;
     const SweepHit hit = sweep(out.x, body);
     goTo(state_.position + std::min(hit.t, 1.0) * out.x);
     nearestDistance_ = std::numeric_limits<double>::infinity(); // where it was is no place to return to
     refreshContacts();
-    return body == kNoBody || meet(body, hit.triangle);
+    if (body != kNoBody) meet(body, hit.triangle);
 }
 
 // The update stage: where the proxy would go if nothing but the planes held it, relative to it.

@@ -122,6 +122,25 @@ private slots:
                          "forces.csv: the proxy differs in");
     }
 
+    void allRowsAreCountedAndTheFirstIsTold() {
+        Scene scene = plate();
+        scene.finger = stroke(0);
+        const auto larger = [](std::string& text, int line) { // its force across
+            std::size_t begin = 0;
+            for (int i = 1; i < line; ++i)
+                begin = text.find('\n', begin) + 1;
+            const std::size_t end = text.find('\n', begin);
+            text.insert(text.rfind(',', text.rfind(',', end) - 1) + 1, "9");
+        };
+        const auto verdict = verdictOn(*bundleOf(scene), bundle_name::kForces, [&](std::string& text) {
+            for (const int line : {150, 202, 120})
+                larger(text, line);
+        });
+        VERIFY_RESULT(verdict);
+        COMPARE_CONTAINS(verdict->differences.at(0), "the force differs in 3 rows, by up to ");
+        COMPARE_CONTAINS(verdict->differences.at(0), "; line 120 (t = ");
+    }
+
     void aRowTooFewIsFound() {
         Scene scene = plate();
         scene.finger = stroke(0);

@@ -43,6 +43,15 @@ private slots:
         QCOMPARE(machine.ladder.stepsDown(), 0u);
     }
 
+    void oneSlowStepIsNoReason() {
+        Machine machine;
+        for (int i = 0; i < 1000; ++i) {
+            machine.took.fill(i % 100 == 50 ? 20 * kBudget : 0.1 * kBudget);
+            machine.run(1e-3);
+        }
+        QCOMPARE(machine.ladder.stepsDown(), 0u);
+    }
+
     void goesDownAsFarAsItHasTo_data() {
         QTest::addColumn<double>("plainTakes");
         QTest::addColumn<int>("fidelity");

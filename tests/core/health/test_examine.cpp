@@ -161,6 +161,23 @@ private slots:
         QVERIFY(examine(scene, first.meshes)->findings.back().problem.has_value());
     }
 
+    void progressOnlyGoesOn() {
+        Scene scene = sceneOf(hollowBox());
+        for (int i = 0; i < 3; ++i)
+            scene.add(SceneObject(scene.objects[0]));
+        double last = 0;
+        int told = 0;
+        const auto report = [&](double fraction) {
+            QCOMPARE_GE(fraction, last);
+            last = fraction;
+            ++told;
+        };
+        QVERIFY(examine(scene, {}, Progress{report, nullptr}));
+        QCOMPARE_GE(told, 4);
+        QCOMPARE_GT(last, 0.75);
+        QCOMPARE_LE(last, 1.0);
+    }
+
     void cancellingStops() {
         const std::atomic<bool> cancelled = true;
         QVERIFY(!examine(sceneOf(hollowBox()), {}, Progress{{}, &cancelled}));

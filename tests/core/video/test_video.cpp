@@ -98,6 +98,7 @@ private slots:
     void whatIsNotFinishedCanBePlayed_data() { anotherPlayerSeesWhatWasPutIn_data(); }
     void whatIsNotFinishedCanBePlayed();
     void aPictureIsHeldForMinutes();
+    void aGifWaitsForNobody();
     void timesOnlyGoOn();
     void aFullDiskIsOneSentence_data() { anotherPlayerSeesWhatWasPutIn_data(); }
     void aFullDiskIsOneSentence();
@@ -194,6 +195,26 @@ void TestVideo::aPictureIsHeldForMinutes() {
                                                  "-f", "rawvideo", "-pix_fmt", "bgra", "-"});
     const auto* pixels = reinterpret_cast<const std::uint32_t*>(later.constData());
     QCOMPARE_LT(difference({pixels, pixels + later.size() / 4}, pictureAt(1).pixels, kWidth), 3.0);
+}
+
+/// GIF89a, 23: a player that sees the flag "user input" stands still until somebody clicks.
+void TestVideo::aGifWaitsForNobody() {
+    const QString name = folder_.filePath("waits.gif");
+    auto video = beginVideo(name.toStdString(), kWidth, kHeight);
+    VERIFY_RESULT(video);
+    for (int i = 0; i < 5; ++i)
+        VERIFY_RESULT((*video)->add(pictureAt(i), 0.1 * i));
+    VERIFY_RESULT((*video)->finish(0.5));
+    QFile file(name);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray bytes = file.readAll(), extension("\x21\xf9\x04");
+    int controls = 0;
+    for (qsizetype at = bytes.indexOf(extension); at >= 0; at = bytes.indexOf(extension, at + 1)) {
+        if (bytes[at + 7] != 0) continue; // not the end of one: bytes of a picture
+        ++controls;
+        QCOMPARE(bytes[at + 3] & 2, 0);
+    }
+    QCOMPARE_GE(controls, 5);
 }
 
 void TestVideo::timesOnlyGoOn() {
