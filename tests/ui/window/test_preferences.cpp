@@ -12,6 +12,7 @@
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "tests/support/shown.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/base/numbers.h"
 #include "ui/base/preferences.h"
@@ -74,6 +75,7 @@ void TestPreferences::everyRowHasAFieldThatSetsIt() {
     program.command("preferences").trigger();
     auto* dialog = program.window->findChild<QDialog*>(QStringLiteral("preferences"));
     QVERIFY(dialog);
+    COMPARE_SHOWN(test::shownIn(*dialog), "preferences");
     auto* pages = dialog->findChild<QTabWidget*>();
     program.command("preferences").trigger(); // once more brings the same one to the front
     QCOMPARE(program.window->findChildren<QDialog*>(QStringLiteral("preferences")).size(), 1);
