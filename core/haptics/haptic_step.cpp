@@ -146,12 +146,12 @@ HapticOutput leftOut(const World& world, const HandState& state) {
     return output;
 }
 
-void touch(const World& world, const StepMotions& movers, HandStep& hand, double dt) noexcept {
+void touch(const World& world, const StepMotions& movers, HandStep& hand, double dt, int rounds) noexcept {
     HandState& state = hand.state;
     const HapticInput& input = hand.input;
     const ProxyReport report =
         moveAndUpdate(state.proxy, world.obstaclesAt(input.fidelity), world.proxyRadius, input.finger, dt,
-                      movers, roundsAt(input.fidelity), &world.near);
+                      movers, rounds, &world.near);
     describeSurroundings(world, movers, state, dt);
     hand.output = reportOf(world, state);
     hand.output.report = report;
@@ -184,7 +184,7 @@ void hapticStep(const World& world, WorldState& shared, std::span<HandStep> all,
     if (world.moving) moveBodies(world, shared, hands, way, time);
     const StepMotions movers(world.movers, before, shared.time, world.drivenMotions());
     for (HandStep* hand : hands.all())
-        touch(world, movers, *hand, dt);
+        touch(world, movers, *hand, dt, roundsAt(hand->input.fidelity));
 }
 
 HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt,
@@ -194,12 +194,13 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
     return hand.output;
 }
 
+// With few rounds: a long fall is not made twice in one period.
 void rehearse(const World& world, const HandState& state, double time, const HapticInput& next, double dt,
               HandState& copy) noexcept {
     if (state.shapeRevision != world.shapeRevision || !canBe(next)) return;
     copy = state;
     HandStep hand{copy, next};
-    touch(world, StepMotions(world.movers, time, time, world.drivenMotions()), hand, dt);
+    touch(world, StepMotions(world.movers, time, time, world.drivenMotions()), hand, dt, kFewRounds);
 }
 
 } // namespace tactum

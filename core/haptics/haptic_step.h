@@ -97,10 +97,11 @@ void hapticStep(const World& world, WorldState& shared, std::span<HandStep> hand
 HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt,
                         const BodiesTime& bodies = {}) noexcept;
 
-/// Makes the next step of a hand as it is likely to be, on a copy of what changes: what of the mesh and of
-/// the program it will need is in the caches then. Neither the world nor a state changes, and so no bit of
-/// any step. `time`: WorldState::time. `next`: the finger as it will be. `copy`: room for the copy, which is
-/// too large for a stack; what it holds is lost. Thread: real time; as long as a step of one hand.
+/// Makes the next step of a hand as it is likely to be, but with few rounds, on a copy of what changes: what
+/// of the mesh and of the program it will need is in the caches then. Neither the world nor a state changes,
+/// and so no bit of any step. `time`: WorldState::time. `next`: the finger as it will be. `copy`: room for
+/// the copy, which is too large for a stack; what it holds is lost. Thread: real time; as long as kFewRounds
+/// of a step.
 void rehearse(const World& world, const HandState& state, double time, const HapticInput& next, double dt,
               HandState& copy) noexcept;
 
