@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include <QActionGroup>
 #include <QMenu>
 #include <QMenuBar>
 
@@ -461,6 +462,12 @@ constexpr Manner kManners[] = {
     {"Hold Esc for half a second", "forces off"},
 };
 
+/// Those of File, View and Help that change the document, and of the others those that change nothing.
+constexpr std::string_view kLive[] = {"update-geometry", "camera-keep"};
+constexpr std::string_view kLooking[] = {"palette",      "preferences",  "next-panel",    "previous-panel",
+                                         "measure",      "measure-copy", "measure-clear", "hand-next",
+                                         "device-panel", "rumble"};
+
 constexpr auto kWhyNot = "why-not";
 
 QList<QKeySequence> keysOf(const Command& command) {
@@ -498,7 +505,15 @@ std::span<const Manner> viewManners() {
     return kManners;
 }
 
-Actions::Actions(QObject* parent) : QObject(parent) {
+bool isLive(const Command& command) {
+    const std::string_view id = command.id, menu = command.menu;
+    if (menu == "File" || menu.starts_with("View") || menu == "Help")
+        return std::ranges::count(kLive, id) > 0;
+    return std::ranges::count(kLooking, id) == 0;
+}
+
+Actions::Actions(QObject* parent) : QObject(parent), live_(*new QActionGroup(this)) {
+    live_.setExclusionPolicy(QActionGroup::ExclusionPolicy::None);
     for (const Command& command : kCommands) {
         auto* action = new QAction(tr(command.text), this);
         action->setObjectName(QString::fromLatin1(command.id));
@@ -506,6 +521,7 @@ Actions::Actions(QObject* parent) : QObject(parent) {
         action->setToolTip(tooltipOf(command));
         action->setCheckable(command.checkable);
         actions_[command.id] = action;
+        if (isLive(command)) live_.addAction(action);
     }
     refreshIcons();
 }
@@ -525,6 +541,10 @@ void Actions::allow(const char* id, const QString& whyNot) const {
 QString Actions::whyNot(const QString& id) const {
     const QAction& action = *actions_.at(id.toStdString());
     return action.isEnabled() ? QString() : action.property(kWhyNot).toString();
+}
+
+void Actions::setLive(bool live) const {
+    live_.setEnabled(live);
 }
 
 void Actions::fill(QMenuBar& bar) const {

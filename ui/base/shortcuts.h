@@ -7,6 +7,7 @@
 #include <QAction>
 #include <QObject>
 
+class QActionGroup;
 class QMenuBar;
 class QToolBar;
 
@@ -24,6 +25,8 @@ struct Command {
     bool separatorBefore = false;
 };
 std::span<const Command> commands();
+/// Whether it changes the document, the hand or the forces: not while a recording is shown in their place.
+bool isLive(const Command& command);
 
 /// A key or a mouse gesture that is no command: what the view does by itself.
 struct Manner {
@@ -44,6 +47,9 @@ public:
     void allow(const char* id, const QString& whyNot) const;
     /// That sentence; empty where nobody gave one, or while it is on.
     QString whyNot(const QString& id) const;
+    /// Takes all that isLive() away, or gives it back as it is allowed by then; but what belongs to a group
+    /// where one of several is chosen stays.
+    void setLive(bool live) const;
     /// All actions under their menus, in the order of the table.
     void fill(QMenuBar& bar) const;
     /// The icons in the colours of the theme that is on.
@@ -51,6 +57,7 @@ public:
 
 private:
     std::unordered_map<std::string, QAction*> actions_;
+    QActionGroup& live_; ///< off, it takes its actions along, and remembers which are off by themselves
 };
 
 } // namespace tactum

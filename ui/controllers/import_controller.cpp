@@ -33,6 +33,7 @@ ImportController::ImportController(const Workbench& bench, ImportBar& bar, const
     connectDocument();
     connect(&bench.playback, &Playback::begun, this, &ImportController::show);
     connect(&bench.playback, &Playback::ended, this, &ImportController::show);
+    show();
 }
 
 void ImportController::connectCommands() {

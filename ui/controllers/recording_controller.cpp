@@ -1,5 +1,7 @@
 #include "ui/controllers/recording_controller.h"
 
+#include <algorithm>
+
 #include <QAction>
 #include <QDateTime>
 #include <QDir>
@@ -9,7 +11,6 @@
 #include <QStandardPaths>
 
 #include "core/recording/recording_file.h"
-#include "core/runtime/engine.h"
 #include "ui/base/ask_where.h"
 #include "ui/base/words.h"
 #include "ui/controllers/arming.h"
@@ -29,15 +30,10 @@ namespace {
 
 constexpr double kKeyStep = 0.01; // s
 
-/// What would change the document, the hand or the forces.
-constexpr const char* kLiveActions[] = {
-    "touch",          "select",         "select-touched", "hide",         "show-all",     "remove",
-    "armed",          "stop",           "restart-proxy",  "undo",         "redo",         "record-stroke",
-    "take-stroke",    "mark-a",         "swap-ab",        "compare-now",  "trial-spring", "trial-wall",
-    "trial-friction", "workspace-axes", "arrange",        "duplicate",    "drop",         "rename",
-    "object-up",      "object-down",    "set-keep",       "camera-keep",  "align-x-low",  "align-x-middle",
-    "align-x-high",   "align-y-low",    "align-y-middle", "align-y-high", "align-z-low",  "align-z-middle",
-    "align-z-high",   "distribute-x",   "distribute-y",   "distribute-z"};
+/// The tools that change something; `measure` is of recordings, too.
+constexpr const char* kLiveTools[] = {"touch", "select", "paint", "arrange"};
+/// The docks that show recordings, and a library that changes nothing by itself.
+constexpr const char* kDocksOfRecordings[] = {"dock-health", "dock-plot", "dock-presets"};
 
 QString ending() {
     return u'.' + asIs(kRecordingEnding);
@@ -91,16 +87,11 @@ void RecordingController::save() {
 
 void RecordingController::setLive(bool live) {
     Actions& actions = bench_.actions;
-    for (const char* id : kLiveActions)
+    actions.setLive(live);
+    for (const char* id : kLiveTools)
         actions[id].setEnabled(live);
-    if (live) {
-        actions["undo"].setEnabled(bench_.document.history().canUndo());
-        actions["redo"].setEnabled(bench_.document.history().canRedo());
-        actions["stop"].setEnabled(Hands(bench_.engine).anyArmed());
-    }
-    for (const char* name : {"dock-outliner", "dock-problems", "dock-inspector", "dock-history",
-                             "dock-compare", "dock-device", "dock-place", "dock-study"})
-        bench_.dock(name).widget()->setEnabled(live);
+    for (auto* dock : bench_.window.findChildren<QDockWidget*>())
+        if (std::ranges::count(kDocksOfRecordings, dock->objectName()) == 0) dock->widget()->setEnabled(live);
     if (!live) bench_.view.endTouch(); // or the hand would stay where it presses
     hand_.setSuspended(!live);
     const auto on = [&](const char* tool) { return live && actions[tool].isChecked(); };

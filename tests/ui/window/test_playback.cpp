@@ -1,5 +1,6 @@
 // Recordings in the window: saved on demand and after a fault, opened, scrubbed, played, left again.
 #include <QAction>
+#include <QActionGroup>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
@@ -18,6 +19,7 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
+#include "ui/base/shortcuts.h"
 #include "ui/showing/playback.h"
 #include "ui/showing/playback_bar.h"
 #include "ui/showing/recording_saver.h"
@@ -218,9 +220,20 @@ void TestPlayback::historyAndHandAreLeftAlone() {
     TouchedWindow program;
     QVERIFY(program.open(writeCube(folder_)));
     program.type(QStringLiteral("stiffness"), QStringLiteral("500"));
+    program.document.select(SurfaceRef{program.document.scene().objects.front().id, 2});
+    program.command("copy-feel").trigger();
     const int steps = program.document.history().count();
     const Scene scene = program.document.scene();
     QVERIFY(opened(program, recording_));
+    // The choices among several, as what a click selects, stay on: they change nothing by themselves.
+    for (const Command& command : commands()) {
+        const QAction& action = program.command(command.id);
+        const bool choice = action.actionGroup() && action.actionGroup()->isExclusive();
+        QVERIFY2(!isLive(command) || choice || !action.isEnabled(), command.id);
+    }
+    QTest::keyClick(program.window.get(), Qt::Key_L);
+    QTest::keyClick(program.window.get(), Qt::Key_V, Qt::ControlModifier);
+    QTest::keyClick(program.window.get(), Qt::Key_G, Qt::ControlModifier);
     const Vec3 hand = program.finger();
     program.stroke();
     QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
