@@ -1,6 +1,7 @@
 #include "core/safety/contact_transition.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tactum {
 namespace {
@@ -54,7 +55,7 @@ double stifferOf(const LocalContactModel& rendered, const LocalContactModel& new
 } // namespace
 
 double editRate(double stiffness) noexcept {
-    return std::min(kEditRate, kReturnSpeed * stiffness);
+    return std::min(kEditRate, kReturnSpeed * std::abs(stiffness)); // a rate, whatever a model says
 }
 
 // A slide against viscosity goes on for as long as the model is believed at all: one that stopped before

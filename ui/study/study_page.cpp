@@ -49,7 +49,6 @@ StudyPage::StudyPage(QWidget* parent)
     field_->setAccessibleName(tr("Answer"));
     field_->setMaximumWidth(80 * kRhythm);
     field_->installEventFilter(this);
-    connect(field_, &QLineEdit::returnPressed, this, [this] { emit replied(field_->text()); });
     auto* row = new QHBoxLayout(scale_);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(kRhythm);
@@ -245,14 +244,15 @@ void StudyPage::keyPressEvent(QKeyEvent* event) {
         }
 }
 
+/// Keys of the field that do something go no further: on the page that comes next they would do something
+/// again.
 bool StudyPage::eventFilter(QObject* watched, QEvent* event) {
-    const bool escape =
-        event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
-    if (watched == field_ && escape) {
-        askToEnd();
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
+    if (watched != field_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+    const auto* pressed = static_cast<const QKeyEvent*>(event);
+    const bool answers = pressed->key() == Qt::Key_Return || pressed->key() == Qt::Key_Enter;
+    if (answers && !pressed->isAutoRepeat()) emit replied(field_->text());
+    if (pressed->key() == Qt::Key_Escape) askToEnd();
+    return answers || pressed->key() == Qt::Key_Escape;
 }
 
 } // namespace tactum
