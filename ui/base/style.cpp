@@ -122,6 +122,14 @@ void applyTheme(ThemeChoice choice) {
     giveMnemonicsToDialogs();
 }
 
+WithoutStyleSheet::WithoutStyleSheet() : kept_(qApp->styleSheet()) {
+    qApp->setStyleSheet({});
+}
+
+WithoutStyleSheet::~WithoutStyleSheet() {
+    qApp->setStyleSheet(kept_);
+}
+
 const Theme& theme() {
     return themeFor(isDark);
 }

@@ -20,6 +20,19 @@ ThemeChoice rememberedTheme();
 /// Palette, font, style sheet and dialogs of the whole application. Call it before the first widget is made,
 /// and whenever the person chooses. Thread: ui.
 void applyTheme(ThemeChoice choice);
+/// While there is one, widgets are made without the style sheet: where there is one, whatever is put into
+/// something else has it looked up anew for all that is in it, once for each level that it is put into. Its
+/// end gives it to all. Thread: ui.
+class WithoutStyleSheet {
+public:
+    WithoutStyleSheet();
+    ~WithoutStyleSheet();
+    WithoutStyleSheet(const WithoutStyleSheet&) = delete;
+    WithoutStyleSheet& operator=(const WithoutStyleSheet&) = delete;
+
+private:
+    QString kept_;
+};
 /// The theme that is on.
 const Theme& theme();
 

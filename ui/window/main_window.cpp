@@ -174,6 +174,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     makeControllers();
     new Covers(*centralWidget(), *view_);
     setAcceptDrops(true);
+    plain_.reset();
     restore();
     follow({});
     connect(&frames_, &QTimer::timeout, this, &MainWindow::frame);

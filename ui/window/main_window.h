@@ -140,6 +140,7 @@ private:
     void connectToServer(); ///< main_window_shared.cpp
     void drawTrace();
     void playTouch(const std::vector<TracePoint>& points, double rate);
+    std::optional<WithoutStyleSheet> plain_{std::in_place}; ///< until all of the window is made
     Document& document_;
     Engine& engine_;
     WorldPublisher publisher_;
