@@ -11,8 +11,9 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 inline Vec6 spatial(const Vec3& angular, const Vec3& linear) noexcept {
-    Vec6 both;
-    both << angular, linear;
+    Vec6 both; // by halves: g++ makes a loop of a comma initializer
+    both.head<3>() = angular;
+    both.tail<3>() = linear;
     return both;
 }
 inline Vec3 angular(const Vec6& v) noexcept {
@@ -46,7 +47,9 @@ inline Vec6 crossForce(const Vec6& v, const Vec6& f) noexcept {
 
 inline Mat3 crossMatrix(const Vec3& v) noexcept {
     Mat3 m;
-    m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+    m.col(0) = Vec3(0, v.z(), -v.y());
+    m.col(1) = Vec3(-v.z(), 0, v.x());
+    m.col(2) = Vec3(v.y(), -v.x(), 0);
     return m;
 }
 

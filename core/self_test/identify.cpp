@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
 namespace tactum {
 namespace {
@@ -135,17 +135,23 @@ Pace paceOf(std::span<const TrialRow> rows) {
     return {double(between.size()) / sum, medianOf(between), *std::ranges::max_element(between)};
 }
 
+// The line that fits best goes through the middle: its slope is all that is left to find.
 double noiseOf(std::span<const TrialRow> rows) {
-    const auto count = Eigen::Index(rows.size());
-    if (count < 3) return 0;
-    Eigen::MatrixX2d line(count, 2);
-    Eigen::MatrixX3d places(count, 3);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        line.row(i) << 1, rows[std::size_t(i)].time;
-        places.row(i) = rows[std::size_t(i)].position.transpose();
+    if (rows.size() < 3) return 0;
+    const Vec3 middle = middleOf(rows);
+    double when = 0;
+    for (const TrialRow& row : rows)
+        when += row.time / double(rows.size());
+    Vec3 along = Vec3::Zero(), squares = Vec3::Zero();
+    double times = 0;
+    for (const TrialRow& row : rows) {
+        along += (row.time - when) * (row.position - middle);
+        times += (row.time - when) * (row.time - when);
     }
-    const Eigen::MatrixX3d drift = line * line.colPivHouseholderQr().solve(places);
-    return std::sqrt((places - drift).colwise().squaredNorm().maxCoeff() / double(count));
+    const Vec3 drift = times > 0 ? Vec3(along / times) : Vec3::Zero().eval();
+    for (const TrialRow& row : rows)
+        squares += (row.position - middle - (row.time - when) * drift).cwiseAbs2();
+    return std::sqrt(squares.maxCoeff() / double(rows.size()));
 }
 
 double resolutionOf(std::span<const TrialRow> rows) {
