@@ -34,12 +34,14 @@ void followTabs(QMainWindow& window, QDockWidget& dock) {
     const auto follow = [&window, &dock, bare] {
         // One that is destroyed while it is shown hides its docks when it is a main window no longer.
         if (!qobject_cast<QMainWindow*>(static_cast<QObject*>(&window))) return;
-        for (auto* bar : window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
-            bar->setDrawBase(false); // the window switches it on whenever it makes one
+        const auto plain = [&window] { // the window switches it on whenever it makes one
+            for (auto* bar : window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+                bar->setDrawBase(false);
+        };
+        plain();
         dock.setTitleBarWidget(window.tabifiedDockWidgets(&dock).isEmpty() ? nullptr : bare);
         bare->setVisible(dock.titleBarWidget());
-        for (auto* bar : window.findChildren<QTabBar*>()) // one that comes later draws a line of its own
-            bar->setDrawBase(false);
+        plain(); // one that came with it
     };
     follow();
     // Also when all docks are where they will be: while they come back together, each one comes alone.
@@ -65,7 +67,7 @@ void shareTabs(QMainWindow& window, QDockWidget& first, QDockWidget& second) {
 /// As QMainWindow writes it down in its tabs.
 QDockWidget* dockOf(const QMainWindow& window, const QTabBar& tabs, int tab) {
     const auto at = tabs.tabData(tab).value<quintptr>();
-    for (auto* dock : window.findChildren<QDockWidget*>())
+    for (auto* dock : window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
         if (quintptr(dock) == at) return dock;
     return nullptr;
 }

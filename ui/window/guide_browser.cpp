@@ -89,7 +89,10 @@ void GuideBrowser::doSetSource(const QUrl& url, QTextDocument::ResourceType type
     mark(words_);
 }
 
+// As one edit: each of a long table's cells would have all of the page laid out anew.
 void GuideBrowser::dress() {
+    QTextCursor all(document());
+    all.beginEditBlock();
     QTextFrame* root = document()->rootFrame();
     QTextFrameFormat whole = root->frameFormat();
     whole.setMargin(kMargin);
@@ -98,6 +101,7 @@ void GuideBrowser::dress() {
         if (auto* table = qobject_cast<QTextTable*>(frame)) dressTable(*table);
     for (QTextBlock block = document()->begin(); block.isValid(); block = block.next())
         dressBlock(block);
+    all.endEditBlock();
 }
 
 void GuideBrowser::openAt(const QString& file, int position, const QStringList& words) {
