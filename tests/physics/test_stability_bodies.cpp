@@ -95,9 +95,10 @@ Scene key(double mass) {
 struct Meeting {
     const char* name;
     Scene scene;
-    double force;  ///< N, of the muscles
-    double impact; ///< m/s
-    double aside;  ///< m, from the middle of the plate
+    double force;    ///< N, of the muscles
+    double impact;   ///< m/s
+    double aside;    ///< m, from the middle of the plate
+    double part = 1; ///< of the time that it is tapped for: a light body's steps are many
 };
 
 std::vector<Meeting> meetings() {
@@ -108,7 +109,7 @@ std::vector<Meeting> meetings() {
             {"20 g on 5 kN/m", stop(0.02, 5000, 5000), 1, 0.05, 0},
             {"20 g on 5 kN/m, softer surface", stop(0.02, 5000, 800), 1, 0.05, 0},
             {"20 g on a hard stop", stop(0.02, kUnbounded, 5000), 1, 0.05, 0},
-            {"1 g on 5 kN/m", stop(0.001, 5000, 5000), 1, 0.05, 0},
+            {"1 g on 5 kN/m", stop(0.001, 5000, 5000), 1, 0.05, 0, 0.2},
             {"a hundred tonnes", stop(1e5, 5000, 5000), 1, 0.05, 0}};
 }
 
@@ -442,7 +443,7 @@ private slots:
         for (const Connected& device :
              {kPremiumConnected, kOmegaConnected, kTouchConnected, kFalconConnected})
             for (const HandProfile& hand : {kPinch, kGrasp, kFirm}) {
-                const Made made = work(device, hand, met, longOnly(100));
+                const Made made = work(device, hand, met, met.part * longOnly(100));
                 const QByteArray told = QString("%1 in %2: %3 mJ a contact, %4 mW, touching %5, %6 faults")
                                             .arg(device.key.data(), hand.name)
                                             .arg(1e3 * made.contact)
@@ -459,15 +460,16 @@ private slots:
         qInfo("%.2f mJ a contact, %.1f mW", 1e3 * contact, 1e3 * power);
     }
 
+    /// Until one of each was found.
     void withoutTheCouplingEnergyIsMade() {
         int bad = 0, restless = 0;
         for (const std::vector<Meeting> all = meetings(); const Meeting& met : all)
             everyLoop(isLong() ? 23 : 89, [&](const Bench& bench, const Beside& beside) {
+                if (bad > 0 && restless > 0) return;
                 const Seen seen = meet(bench, beside, met, false);
                 bad += seen.given > kGiven || seen.faults > 0;
                 restless += seen.motion > 2 * bench.device.resolution;
             });
-        qInfo("%d make energy, %d do not rest", bad, restless);
         QCOMPARE_GT(bad, 0);
         QCOMPARE_GT(restless, 0);
     }
