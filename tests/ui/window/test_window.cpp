@@ -54,6 +54,7 @@ private slots:
     void cleanup() { QLocale::setDefault(QLocale::c()); }
 
     void aWindowAtRestIsNotDrawn();
+    void aWindowIsDressedOnce();
     void aDroppedModelIsOpened();
     void aBrokenFileIsOneLineAndNoHarm();
     void aSceneThatCannotBeFeltSaysWhy();
@@ -103,6 +104,24 @@ void TestWindow::aWindowAtRestIsNotDrawn() {
     program.frames(120);
     QCOMPARE_LE(window.times, 4 + clock.elapsed() / 200); // ten in two seconds, for the rates
     QCOMPARE_LE(bars.layouts, 2);
+}
+
+/// A style sheet is looked up anew for all that is in a widget when the widget is put into another one: a
+/// third of what a window's making takes where it is not kept away meanwhile.
+void TestWindow::aWindowIsDressedOnce() {
+    struct Dressed : QObject {
+        bool eventFilter(QObject* watched, QEvent* event) override {
+            times += event->type() == QEvent::StyleChange && watched->isWidgetType();
+            return false;
+        }
+        int times = 0;
+    } dressed;
+    qApp->installEventFilter(&dressed);
+    const TouchedWindow program;
+    qApp->removeEventFilter(&dressed);
+    const auto widgets = program.window->findChildren<QWidget*>().size();
+    QCOMPARE_GT(widgets, 1000);
+    QCOMPARE_LE(dressed.times, 2 * widgets);
 }
 
 void TestWindow::aDroppedModelIsOpened() {
