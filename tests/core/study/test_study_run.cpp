@@ -1,4 +1,6 @@
 // A run of a study: its steps, what it refuses, and how it goes on after a crash.
+#include <utility>
+
 #include <QTest>
 
 #include "core/study/stimulus.h"
@@ -57,6 +59,7 @@ private slots:
     void answersOfAnotherStudyAreRefused();
     void designsAreChecked_data();
     void designsAreChecked();
+    void eachTextHasItsLimit();
     void aStimulusChangesWhatItNames();
     void aStaircaseBendsALayer();
     void levelsKeepToTheRangeOfWhatIsBent();
@@ -209,6 +212,20 @@ void TestStudyRun::designsAreChecked() {
     faults[which]();
     COMPARE_CONTAINS(QString::fromStdString(refusal(check(design))), says);
     COMPARE_CONTAINS(refusal(StudyRun::begin(design, 1, 1)), says.toStdString());
+}
+
+void TestStudyRun::eachTextHasItsLimit() {
+    StudyDesign design = askingDesign();
+    for (std::string* text :
+         {&design.name, &design.instructions, &design.prompt, &design.staircase.surface,
+          &design.staircase.object, &design.conditions[0], &design.questions[0].text,
+          &design.questions[0].low, &design.questions[0].high, &design.questions[1].choices[0]}) {
+        const std::string before = std::exchange(*text, std::string(4000, 'a'));
+        VERIFY_RESULT(check(design));
+        *text += 'a';
+        COMPARE_CONTAINS(refusal(check(design)), "longer than 4000 bytes");
+        *text = before;
+    }
 }
 
 void TestStudyRun::aStimulusChangesWhatItNames() {

@@ -1,10 +1,12 @@
 // Videos, looked at by ffmpeg: size, times and pixels are what was put in, also when nobody finished the
 // file.
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 
 #include <QDir>
 #include <QFile>
+#include <QSize>
 #include <QTemporaryDir>
 #include <QTest>
 #include <sys/resource.h>
@@ -99,6 +101,7 @@ private slots:
     void whatIsNotFinishedCanBePlayed();
     void aPictureIsHeldForMinutes();
     void aGifWaitsForNobody();
+    void newColoursComeWithTheWholePicture();
     void timesOnlyGoOn();
     void aFullDiskIsOneSentence_data() { anotherPlayerSeesWhatWasPutIn_data(); }
     void aFullDiskIsOneSentence();
@@ -215,6 +218,35 @@ void TestVideo::aGifWaitsForNobody() {
         QCOMPARE(bytes[at + 3] & 2, 0);
     }
     QCOMPARE_GE(controls, 5);
+}
+
+/// GIF89a, 20: behind the control of each picture the comma, its place and its size. Where colours are new a
+/// part of its own would be seen beside the rest, in other colours.
+void TestVideo::newColoursComeWithTheWholePicture() {
+    const QString name = folder_.filePath("colours.gif");
+    auto video = beginVideo(name.toStdString(), kWidth, kHeight);
+    VERIFY_RESULT(video);
+    for (int i = 0; i < 3; ++i) { // a ground; a square of a new colour; the square somewhere else
+        VideoPicture picture{kWidth, kHeight, std::vector<std::uint32_t>(kWidth * kHeight, 0xff282a32u)};
+        for (int y = 16; i > 0 && y < 32; ++y)
+            std::fill_n(picture.pixels.begin() + y * kWidth + 16 * i, 16, 0xffd21414u);
+        VERIFY_RESULT((*video)->add(picture, 0.1 * i));
+    }
+    VERIFY_RESULT((*video)->finish(0.3));
+    QFile file(name);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray bytes = file.readAll();
+    std::vector<QSize> sizes;
+    for (qsizetype at = 0; (at = bytes.indexOf(QByteArray("\x21\xf9\x04"), at)) >= 0; ++at) {
+        const auto number = [&](int byte) {
+            return quint8(bytes[at + byte]) | quint8(bytes[at + byte + 1]) << 8;
+        };
+        if (bytes[at + 7] == 0 && bytes[at + 8] == 0x2c) sizes.emplace_back(number(13), number(15));
+    }
+    QCOMPARE_GE(sizes.size(), std::size_t(3));
+    QCOMPARE(sizes[0], QSize(kWidth, kHeight));
+    QCOMPARE(sizes[1], QSize(kWidth, kHeight));
+    QCOMPARE(sizes[2], QSize(32, 16)); // where it was and where it is
 }
 
 void TestVideo::timesOnlyGoOn() {
