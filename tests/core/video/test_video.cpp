@@ -38,6 +38,17 @@ VideoPicture pictureAt(int step) {
     return picture;
 }
 
+/// Of a GIF's pictures (GIF89a, 23 and 20): eight bytes of control, then ten that say where the picture is.
+std::vector<QByteArray> controlsOf(const QString& name) {
+    QFile file(name);
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    const QByteArray bytes = file.readAll(), begin("\x21\xf9\x04");
+    std::vector<QByteArray> controls;
+    for (qsizetype at = bytes.indexOf(begin); at >= 0; at = bytes.indexOf(begin, at + 1))
+        if (bytes[at + 7] == 0) controls.push_back(bytes.mid(at, 18)); // else bytes of a picture
+    return controls;
+}
+
 constexpr int kWide = 320, kHigh = 240;
 
 /// As a window shows: a ground that is nearly black, a large body with a soft shadow, and what is small and
@@ -208,16 +219,10 @@ void TestVideo::aGifWaitsForNobody() {
     for (int i = 0; i < 5; ++i)
         VERIFY_RESULT((*video)->add(pictureAt(i), 0.1 * i));
     VERIFY_RESULT((*video)->finish(0.5));
-    QFile file(name);
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    const QByteArray bytes = file.readAll(), extension("\x21\xf9\x04");
-    int controls = 0;
-    for (qsizetype at = bytes.indexOf(extension); at >= 0; at = bytes.indexOf(extension, at + 1)) {
-        if (bytes[at + 7] != 0) continue; // not the end of one: bytes of a picture
-        ++controls;
-        QCOMPARE(bytes[at + 3] & 2, 0);
-    }
-    QCOMPARE_GE(controls, 5);
+    const std::vector<QByteArray> controls = controlsOf(name);
+    for (const QByteArray& control : controls)
+        QCOMPARE(control[3] & 2, 0);
+    QCOMPARE_GE(controls.size(), std::size_t(5));
 }
 
 /// GIF89a, 20: behind the control of each picture the comma, its place and its size. Where colours are new a
@@ -233,15 +238,11 @@ void TestVideo::newColoursComeWithTheWholePicture() {
         VERIFY_RESULT((*video)->add(picture, 0.1 * i));
     }
     VERIFY_RESULT((*video)->finish(0.3));
-    QFile file(name);
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    const QByteArray bytes = file.readAll();
     std::vector<QSize> sizes;
-    for (qsizetype at = 0; (at = bytes.indexOf(QByteArray("\x21\xf9\x04"), at)) >= 0; ++at) {
-        const auto number = [&](int byte) {
-            return quint8(bytes[at + byte]) | quint8(bytes[at + byte + 1]) << 8;
-        };
-        if (bytes[at + 7] == 0 && bytes[at + 8] == 0x2c) sizes.emplace_back(number(13), number(15));
+    for (const QByteArray& control : controlsOf(name)) {
+        const auto number = [&](int byte) { return quint8(control[byte]) | quint8(control[byte + 1]) << 8; };
+        QCOMPARE(control[8], ',');
+        sizes.emplace_back(number(13), number(15));
     }
     QCOMPARE_GE(sizes.size(), std::size_t(3));
     QCOMPARE(sizes[0], QSize(kWidth, kHeight));
