@@ -29,6 +29,7 @@ struct FakeDesk {
     std::atomic<int> made{0};          ///< devices that exist
     std::atomic<int> prepared{0};      ///< times that it was prepared to the end
     std::atomic<bool> preparing{false};
+    std::atomic<int> halves{0}; ///< steps that told that half of them is done
     std::atomic<std::uint32_t> buttons{0};
     std::atomic<double> x{0}, y{0}, z{0}; ///< where the handle is held, frame D, m
     std::atomic<double> force{0};         ///< N, of the last command
@@ -86,6 +87,7 @@ private:
         for (int i = 0; i < int(names.size()); ++i) {
             opening.begin(names[std::size_t(i)], i == 1 ? "Push the grip in and out." : "");
             opening.progress(0.5);
+            ++desk_->halves;
             while (desk_->go <= i) {
                 if (opening.cancelled() && !desk_->stubborn) return machineError("It was given up.");
                 if (desk_->failAt == i)

@@ -1,5 +1,6 @@
 #include "ui/engine/device_link.h"
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <QSettings>
@@ -38,20 +39,33 @@ public:
     Watch(DeviceLink& link, std::shared_ptr<Attempt> attempt) : link_(link), attempt_(std::move(attempt)) {}
 
     void begin(std::string_view step, std::string_view request) override {
-        attempt_->progress = 0;
-        QMetaObject::invokeMethod(
-            &link_,
-            [&link = link_, attempt = attempt_, step = asIs(step), request = asIs(request)] {
-                if (attempt == link.attempt_) link.beginStep(step, request);
-            },
-            Qt::QueuedConnection);
+        shown_ = 0;
+        tell([&link = link_, step = asIs(step), request = asIs(request)] { link.beginStep(step, request); });
     }
-    void progress(double part) override { attempt_->progress = std::clamp(part, 0.0, 1.0); }
+    /// In order with the steps, so that no step is shown with the progress of the next.
+    void progress(double part) override {
+        const double shown = std::round(kShownParts * std::clamp(part, 0.0, 1.0)) / kShownParts;
+        if (std::exchange(shown_, shown) == shown) return;
+        tell([&link = link_, shown] { link.goOn(shown); });
+    }
     bool cancelled() const override { return attempt_->cancelled; }
 
 private:
+    static constexpr double kShownParts = 1000; ///< a device may tell its progress with each reading
+
+    /// What comes after the attempt ended is dropped.
+    template <class Said> void tell(Said said) {
+        QMetaObject::invokeMethod(
+            &link_,
+            [&link = link_, attempt = attempt_, said = std::move(said)] {
+                if (attempt == link.attempt_) said();
+            },
+            Qt::QueuedConnection);
+    }
+
     DeviceLink& link_;
     std::shared_ptr<Attempt> attempt_;
+    double shown_ = 0;
 };
 
 DeviceLink::DeviceLink(Engine& engine, QObject* parent) : QObject(parent), engine_(engine), hands_(engine) {
@@ -325,6 +339,11 @@ void DeviceLink::beginStep(const QString& step, const QString& request) {
     emit preparationChanged();
 }
 
+void DeviceLink::goOn(double part) {
+    preparation_.progress = part;
+    emit preparationChanged();
+}
+
 /// Of a device that somebody else put into the engine.
 QString DeviceLink::givenId(std::size_t hand) const {
     return hands_.device(hand).real ? QString() : kSimulatedDevice;
@@ -345,9 +364,6 @@ void DeviceLink::frame() {
     if (std::ranges::any_of(used_, &Used::gone) && !hands_.anyArmed()) letGoOfLost();
     if (waiting_ && (attempt_->cancelled || mayBringBack()))
         ended(std::shared_ptr(attempt_), std::exchange(waiting_, nullptr), {});
-    if (!attempt_ || preparation_.progress == attempt_->progress) return;
-    preparation_.progress = attempt_->progress;
-    emit preparationChanged();
 }
 
 void DeviceLink::ended(const std::shared_ptr<Attempt>& attempt, const Made& device, const QString& failure) {

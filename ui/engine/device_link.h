@@ -163,7 +163,6 @@ private:
         QString id;
         bool back, beside;
         std::atomic<bool> cancelled{false};
-        std::atomic<double> progress{0};
     };
     /// The device of a hand.
     struct Used {
@@ -204,6 +203,7 @@ private:
     void prepare(const std::shared_ptr<Attempt>& attempt);
     void knowSteps(const QString& name, const std::vector<std::string>& steps);
     void beginStep(const QString& step, const QString& request);
+    void goOn(double part);
     void ended(const std::shared_ptr<Attempt>& attempt, const Made& device, const QString& failure);
     void adopt(const Attempt& attempt, std::unique_ptr<HapticDevice> device);
     Result<void> adoptBeside(const QString& id, std::unique_ptr<HapticDevice> device);

@@ -3,6 +3,9 @@
 //
 // What would show that a test here is wrong: the engine and its loops are the real ones, and what the device
 // was sent and asked is counted by the device; every refusal stands beside what may be done.
+#include <thread>
+
+#include <QElapsedTimer>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
@@ -188,6 +191,29 @@ private slots:
         QVERIFY(!bench.link.whyNotLetGo().isEmpty());
         QVERIFY(waitFor([&] { return bench.arm->made == 0; }));
         QCOMPARE(QSettings().value("device/chosen").toString(), kSimulatedDevice);
+    }
+
+    // Its progress may be told before the window knows of the step.
+    void noStepIsShownWithTheProgressOfTheNext() {
+        Bench bench;
+        QVERIFY(bench.begin());
+        const Preparation& preparation = bench.link.preparation();
+        QStringList shown;
+        QObject::connect(&bench.link, &DeviceLink::preparationChanged, [&] {
+            shown << QStringLiteral("%1: %2")
+                         .arg(stepsOf(preparation).join(QStringLiteral(", ")))
+                         .arg(preparation.progress);
+        });
+        bench.link.choose(kArm);
+        QElapsedTimer clock;
+        clock.start();
+        while (bench.arm->halves < 1 && !clock.hasExpired(20'000))
+            std::this_thread::yield();
+        QCOMPARE(bench.arm->halves.load(), 1);
+        bench.link.frame(); // before what the worker sent has come
+        QVERIFY(bench.until([&] { return preparation.progress == 0.5; }));
+        QCOMPARE(shown.filter(QStringLiteral("0.5")),
+                 QStringList{"Load the firmware goes on, Find home waits, Rest waits: 0.5"});
     }
 
     void whatFailsIsNamedAndTriedAgain() {
