@@ -31,17 +31,10 @@ Vec3 smallestSphereCentre(const Triangle& t) {
 
 LeafSphere ballAround(const Triangle& t, Index index, std::uint32_t piece) {
     LeafSphere sphere;
-    const Vec3 exact = smallestSphereCentre(t);
-    // The radius has to hold about the rounded centre. GCC 12's vectoriser drops a rounding to float and back
-    // (seen at -O2: spheres 7 um too small 1 km from the origin); volatile keeps it.
-    for (int axis = 0; axis < 3; ++axis) {
-        const volatile float rounded = float(exact[axis]);
-        sphere.centre[axis] = rounded;
-    }
+    sphere.centre = roundedCentre(smallestSphereCentre(t));
     const Vec3 centre = sphere.centre.cast<double>();
-    const double radius = std::sqrt(
+    sphere.radius = radiusAbove(
         std::max({(t.a - centre).squaredNorm(), (t.b - centre).squaredNorm(), (t.c - centre).squaredNorm()}));
-    sphere.radius = std::nextafter(float(radius), std::numeric_limits<float>::infinity());
     sphere.triangle = index;
     sphere.piece = piece;
     return sphere;
@@ -77,6 +70,28 @@ void cover(const Triangle& t, Index index, double compactRadius, std::uint32_t p
 Triangle pieceOf(const Triangle& triangle, std::uint32_t piece) {
     if (piece == 1) return triangle;
     return halves(pieceOf(triangle, piece / 2))[piece % 2];
+}
+
+Triangle partOf(const LeafSphere& sphere, const TriangleSoup& soup, const Vec3& origin) {
+    const auto& corner = soup.triangles[sphere.triangle];
+    return pieceOf({soup.positions[corner[0]] - origin, soup.positions[corner[1]] - origin,
+                    soup.positions[corner[2]] - origin},
+                   sphere.piece);
+}
+
+// GCC 12's vectoriser drops a rounding to float and back (seen at -O2: spheres 7 um too small 1 km from the
+// origin); volatile keeps it.
+Eigen::Vector3f roundedCentre(const Vec3& centre) {
+    Eigen::Vector3f result;
+    for (int axis = 0; axis < 3; ++axis) {
+        const volatile float rounded = float(centre[axis]);
+        result[axis] = rounded;
+    }
+    return result;
+}
+
+float radiusAbove(double distance2) {
+    return std::nextafter(float(std::sqrt(distance2)), std::numeric_limits<float>::infinity());
 }
 
 std::vector<LeafSphere> coverWithSpheres(const TriangleSoup& soup, const Vec3& origin) {

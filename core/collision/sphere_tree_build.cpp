@@ -8,7 +8,10 @@
 #include <limits>
 
 #include "core/base/parallel.h"
+#include "core/collision/child_fit.h"
+#include "core/collision/leaf_box.h"
 #include "core/collision/leaf_cover.h"
+#include "core/collision/leaf_packing.h"
 #include "core/collision/sphere_tree.h"
 
 namespace tactum {
@@ -38,15 +41,6 @@ struct BinaryNode {
     std::int32_t left = -1, right = -1;
 };
 
-struct Box {
-    Vec3f low = Vec3f::Constant(std::numeric_limits<float>::infinity());
-    Vec3f high = -low;
-    void add(const LeafSphere& s) {
-        low = low.cwiseMin((s.centre.array() - s.radius).matrix());
-        high = high.cwiseMax((s.centre.array() + s.radius).matrix());
-    }
-};
-
 // First heuristic: the smallest sphere around two spheres.
 Sphere around(const Sphere& a, const Sphere& b) {
     const Vec3f way = b.centre - a.centre;
@@ -73,9 +67,9 @@ public:
         BinaryNode& node = nodes_[index];
         node.begin = std::uint32_t(begin);
         node.end = std::uint32_t(end);
-        Box box;
+        LeafBox box = LeafBox::empty();
         for (std::size_t i = begin; i < end; ++i)
-            box.add(leaves_[i]);
+            box.add(LeafBox(leaves_[i]));
         if (end - begin > kLeafSize) {
             const std::size_t middle = divide(begin, end, box, depth);
             buildChildren(node, begin, middle, end, depth + 1);
@@ -103,9 +97,12 @@ private:
     }
 
     // Along the plane through the midpoint of the longest axis; by number where that leaves a side empty.
-    std::size_t divide(std::size_t begin, std::size_t end, const Box& box, int depth) {
+    // Few are packed into their leaves.
+    std::size_t divide(std::size_t begin, std::size_t end, const LeafBox& box, int depth) {
+        if (end - begin <= kMostPacked && depth <= kDeep)
+            return begin + packLeaves(std::span(leaves_).subspan(begin, end - begin), kLeafSize);
         int axis = 0;
-        (box.high - box.low).maxCoeff(&axis);
+        box.size().maxCoeff(&axis);
         const float plane = 0.5f * (box.low[axis] + box.high[axis]);
         const auto first = leaves_.begin() + std::ptrdiff_t(begin),
                    last = leaves_.begin() + std::ptrdiff_t(end);
@@ -121,9 +118,9 @@ private:
     }
 
     // Second heuristic: about the middle of the box, just large enough for the leaf spheres.
-    Sphere aroundLeaves(const Box& box, std::size_t begin, std::size_t end) const {
+    Sphere aroundLeaves(const LeafBox& box, std::size_t begin, std::size_t end) const {
         Sphere sphere;
-        sphere.centre = 0.5f * (box.low + box.high);
+        sphere.centre = box.middle();
         for (std::size_t i = begin; i < end; ++i)
             sphere.radius =
                 std::max(sphere.radius, (leaves_[i].centre - sphere.centre).norm() + leaves_[i].radius);
@@ -136,23 +133,16 @@ private:
     std::atomic<std::int32_t> next_{0};
 };
 
-struct Range {
-    std::uint32_t begin = 0, end = 0;
-};
-
-// Which leaf spheres lie below each child of each node.
-using ChildRanges = std::vector<std::array<Range, SphereTree::kWidth>>;
-
 // Folds the binary tree into wide nodes: the child with the largest sphere is opened until eight are there.
 class Folder {
 public:
     Folder(const Builder& tree, const std::vector<LeafSphere>& leafSpheres, const TriangleSoup& soup,
            const Vec3& origin)
         : tree_(tree), leafSpheres_(leafSpheres), soup_(soup), origin_(origin) {
-        // The binary tree's leaves hold more than half of what fits on average.
-        leaves.reserve(leafSpheres.size() / 4);
-        nodes.reserve(leafSpheres.size() / 12);
-        ranges.reserve(leafSpheres.size() / 12);
+        // Leaves are nearly full, seven of eight on average, and so are the nodes above them.
+        leaves.reserve(leafSpheres.size() / 6);
+        nodes.reserve(leafSpheres.size() / 24);
+        ranges.reserve(leafSpheres.size() / 24);
     }
 
     std::vector<SphereTree::Node> nodes;
@@ -165,7 +155,10 @@ public:
         const std::size_t index = appendNode();
         for (int i = 0; i < count; ++i) {
             const BinaryNode& child = tree_.node(open[i]);
-            place(nodes[index], i, child.sphere);
+            nodes[index].x[i] = child.sphere.centre.x();
+            nodes[index].y[i] = child.sphere.centre.y();
+            nodes[index].z[i] = child.sphere.centre.z();
+            nodes[index].radius[i] = child.sphere.radius;
             ranges[index][i] = {child.begin, child.end};
             if (child.left < 0) {
                 nodes[index].child[i] = ~std::int32_t(leaves.size());
@@ -202,16 +195,11 @@ private:
             std::fill(std::begin(lane->v), std::end(lane->v), 1e15f);
         for (std::uint32_t k = binary.begin; k < binary.end; ++k) {
             const int i = int(k - binary.begin);
-            const LeafSphere& sphere = leafSpheres_[k];
-            const auto& corner = soup_.triangles[sphere.triangle];
-            const Triangle part =
-                pieceOf({soup_.positions[corner[0]] - origin_, soup_.positions[corner[1]] - origin_,
-                         soup_.positions[corner[2]] - origin_},
-                        sphere.piece);
+            const Triangle part = partOf(leafSpheres_[k], soup_, origin_);
             set(leaf.ax, leaf.ay, leaf.az, i, part.a);
             set(leaf.bx, leaf.by, leaf.bz, i, part.b);
             set(leaf.cx, leaf.cy, leaf.cz, i, part.c);
-            leaf.triangle[i] = sphere.triangle;
+            leaf.triangle[i] = leafSpheres_[k].triangle;
         }
     }
 
@@ -228,74 +216,9 @@ private:
         return nodes.size() - 1;
     }
 
-    static void place(SphereTree::Node& node, int i, const Sphere& sphere) {
-        node.x[i] = sphere.centre.x();
-        node.y[i] = sphere.centre.y();
-        node.z[i] = sphere.centre.z();
-        node.radius[i] = sphere.radius;
-    }
-
     const Builder& tree_;
     const std::vector<LeafSphere>& leafSpheres_;
     const TriangleSoup& soup_;
-    Vec3 origin_;
-};
-
-// The pair of planes around what a child holds, where that is flat.
-class Flattener {
-public:
-    Flattener(const TriangleSoup& soup, const std::vector<LeafSphere>& leafSpheres, const Vec3& origin)
-        : soup_(soup), leafSpheres_(leafSpheres), origin_(origin) {}
-
-    void flatten(std::vector<SphereTree::Node>& nodes, const ChildRanges& ranges) const {
-        parallelFor(nodes.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k)
-                for (int i = 0; i < SphereTree::kWidth; ++i)
-                    flatten(nodes[k], i, ranges[k][i]);
-        });
-    }
-
-private:
-    // Larger patches are rarely flat, and looking at all their corners at every level would cost the build.
-    static constexpr std::uint32_t kLargestPatch = 1024;
-    // A patch is worth its planes when they lie this much closer together than its sphere is wide.
-    static constexpr double kFlat = 0.3;
-
-    std::array<const Vec3*, 3> corners(std::uint32_t k) const {
-        const auto& corner = soup_.triangles[leafSpheres_[k].triangle];
-        return {&soup_.positions[corner[0]], &soup_.positions[corner[1]], &soup_.positions[corner[2]]};
-    }
-
-    void flatten(SphereTree::Node& node, int i, Range range) const {
-        if (range.begin == range.end || range.end - range.begin > kLargestPatch) return;
-        Vec3 sum = Vec3::Zero();
-        for (std::uint32_t k = range.begin; k < range.end; ++k) {
-            const auto [a, b, c] = corners(k);
-            sum += (*b - *a).cross(*c - *a);
-        }
-        if (!(sum.squaredNorm() > 0)) return;
-        // The planes are exact for the rounded normal: that it is not quite of unit length is covered by the
-        // query's own margin.
-        const Vec3f normal = sum.normalized().cast<float>();
-        const Vec3 centre = origin_ + Vec3(node.x[i], node.y[i], node.z[i]);
-        double low = 1e300, high = -1e300;
-        for (std::uint32_t k = range.begin; k < range.end; ++k)
-            for (const Vec3* corner : corners(k)) {
-                const double height = normal.cast<double>().dot(*corner - centre);
-                low = std::min(low, height);
-                high = std::max(high, height);
-            }
-        if (high - low > 2 * kFlat * double(node.radius[i])) return;
-        node.nx[i] = normal.x();
-        node.ny[i] = normal.y();
-        node.nz[i] = normal.z();
-        node.offset[i] = float(0.5 * (low + high));
-        const double thickness = std::max(high - double(node.offset[i]), double(node.offset[i]) - low);
-        node.thickness[i] = std::nextafter(float(thickness), std::numeric_limits<float>::infinity());
-    }
-
-    const TriangleSoup& soup_;
-    const std::vector<LeafSphere>& leafSpheres_;
     Vec3 origin_;
 };
 
@@ -316,7 +239,7 @@ SphereTree::SphereTree(const TriangleSoup& soup) {
     const std::int32_t root = builder.build(0, leafSpheres.size());
     Folder folder(builder, leafSpheres, soup, origin_);
     folder.fold(root);
-    Flattener(soup, leafSpheres, origin_).flatten(folder.nodes, folder.ranges);
+    fitChildren(folder.nodes, folder.ranges, soup, leafSpheres, origin_);
     nodes_ = std::move(folder.nodes);
     leaves_ = std::move(folder.leaves);
 }
