@@ -23,6 +23,7 @@ struct Options {
     std::string feel;  ///< name of the only effect; empty for all
     std::string count; ///< mesh whose updates another tool counts
     int repetitions = 5;
+    double radius = 0; ///< of the proxy, mm; 0: the scene's
     bool judge = true, list = false, feels = false;
     fs::path instructions, json, write, faults;
 };
@@ -53,7 +54,8 @@ bool isMeasured(const Effect& effect, const Options& options) {
 
 void appendFigures(std::vector<Figures>& all, const Subject& subject, const Options& options,
                    const std::map<std::string, double>& counts) {
-    const Opened opened = orFail(open(subject));
+    Opened opened = orFail(open(subject));
+    if (options.radius > 0) opened.scene.proxyRadius = options.radius * 1e-3;
     for (const Effect& effect : effects()) {
         if (!isMeasured(effect, options)) continue;
         const bool smooth = &effect == &effects().front();
@@ -114,6 +116,8 @@ int main(int argc, char** argv) {
     app.add_option("--feel", options.feel, "only this feel: smooth, friction ...");
     app.add_option("--repetitions", options.repetitions, "of each path; a row counts at its fastest")
         ->check(CLI::Range(1, 1000));
+    app.add_option("--radius", options.radius, "of the proxy, mm; 1 without this")
+        ->check(CLI::Range(0.01, 100.0));
     app.add_flag("--judge,!--no-judge", options.judge, "also say how exact the proxy is");
     app.add_option("--instructions", options.instructions, "file of lines MESH FEEL INSTRUCTIONS-PER-UPDATE");
     app.add_option("--json", options.json, "also write the figures there");
