@@ -172,6 +172,7 @@ private slots:
     void farFromTheOriginItPrunesAsWell();
     void whatReachesIntoABallIsGathered();
     void whatIsRememberedChangesNothing();
+    void whatIsToComeIsNearTheEnd();
     void whatIsBeyondReachIsNeverTouched();
     void depthIsBounded();
     void atEachDepthSpheresHoldItAll();
@@ -322,6 +323,37 @@ void SphereTreeTest::whatIsRememberedChangesNothing() {
         }
     }
     QCOMPARE_GT(hits, 1000);
+}
+
+// Of strips, too, of which a look in single precision tells no more than a bound.
+void SphereTreeTest::whatIsToComeIsNearTheEnd() {
+    Rng rng(23);
+    SoupBuilder builder;
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 a(0.002 * i, 0, 0), b(0.002 * (i + 1), 0, 0), up(0, 1, 0);
+        builder.triangle(a, b, b + up).triangle(a, b + up, a + up);
+    }
+    const Soup strips = builder.build();
+    int named = 0;
+    for (const auto& [name, soup] : {std::pair(QString("strips"), strips), manySoups()[7]}) {
+        const SphereTree tree(*soup);
+        for (int i = 0; i < 2000; ++i) {
+            SpherePath path{.from = inBox(rng, 0.4) + Vec3(0.2, 0.5, 0), .radius = 0.01};
+            path.from.z() = 0.01 + 1e-8 * uniform(rng, 0, 1); // as what slides on the strips
+            path.motion = 0.005 * uniform(rng, 0, 1) * Vec3(uniform(rng, -1, 1), uniform(rng, -1, 1), 0);
+            const SweepHit hit = tree.sweep(*soup, path, {});
+            if (hit.t <= 1) continue;
+            for (int k = 0; k < hit.soonCount; ++k, ++named) {
+                const Vec3 end = path.from + path.motion;
+                const double gap =
+                    (closestPoint(triangleOf(*soup, hit.soon[std::size_t(k)]), end).point - end).norm() -
+                    path.radius;
+                QVERIFY2(gap < path.lookAhead * path.radius + 1e-6,
+                         qPrintable(QString("%1: %2").arg(name).arg(gap)));
+            }
+        }
+    }
+    QCOMPARE_GT(named, 1000);
 }
 
 void SphereTreeTest::whatIsBeyondReachIsNeverTouched() {
