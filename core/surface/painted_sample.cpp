@@ -1,20 +1,50 @@
 #include "core/surface/painted_sample.h"
 
 #include <algorithm>
+#include <array>
+
+#include "core/surface/painted_slopes.h"
+#include "core/surface/three_parts.h"
+#include "core/surface/unrolled_place.h"
 
 namespace tactum {
 namespace {
 
-/// Of the function that is linear between the corners and has these values there.
-Vec3 gradientOf(const Triangle& triangle, const Vec3& values, bool isSegment) noexcept {
-    if (isSegment) {
-        const Vec3 along = triangle.b - triangle.a;
-        const double squared = along.squaredNorm();
-        return squared > 0 ? Vec3((values[1] - values[0]) / squared * along) : Vec3::Zero();
-    }
-    const CornerUvs asCoordinates{Eigen::Vector2d(values[0], 0), Eigen::Vector2d(values[1], 0),
-                                  Eigen::Vector2d(values[2], 0)};
-    return uvGradientOf(triangle, asCoordinates).row(0).transpose();
+/// And on a sliver without a plane, which has no slope.
+Rise onSegment(const Triangle& triangle, const Vec3& values, const Vec3& weights, bool isSegment) noexcept {
+    const Vec3 along = triangle.b - triangle.a;
+    const double squared = along.squaredNorm();
+    return {weights.dot(values),
+            isSegment && squared > 0 ? Vec3((values[1] - values[0]) / squared * along) : Vec3::Zero()};
+}
+
+Vec3 valuesAt(const CompiledPattern& pattern, Index triangle) noexcept {
+    const auto& corners = pattern.soup->triangles[triangle];
+    return {(*pattern.painted)[corners[0]], (*pattern.painted)[corners[1]], (*pattern.painted)[corners[2]]};
+}
+
+/// No weight below zero.
+Rise onTriangle(const CompiledPattern& pattern, Index index, const Triangle& triangle,
+                const Vec3& weights) noexcept {
+    const Vec3 values = valuesAt(pattern, index), flat = linearSlope(triangle, values);
+    const Vec3 normal = (triangle.b - triangle.a).cross(triangle.c - triangle.a).normalized();
+    std::array<Vec3, 3> slopes;
+    for (std::size_t k = 0; k < 3; ++k)
+        slopes[k] = pattern.slopes->at(pattern.soup->triangles[index][k], normal, flat);
+    const Rise rise = ThreeParts(triangle, values, slopes).at(weights);
+    return rise.slope.allFinite() ? rise : Rise{weights.dot(values), flat};
+}
+
+/// Beside a triangle, too, where the surface goes on, and straight on where it ends.
+Rise onSurface(const CompiledPattern& pattern, const TexturePoint& point) noexcept {
+    const UnrolledPlace place(*pattern.soup, *pattern.slopes->ground(), point.triangle, point.weights);
+    const Vec3 inside = place.weights().cwiseMax(0) / place.weights().cwiseMax(0).sum(),
+               beside = place.weights() - inside;
+    const Triangle& t = place.corners();
+    Rise rise = onTriangle(pattern, place.triangle(), t, inside);
+    rise.value += rise.slope.dot(beside[0] * t.a + beside[1] * t.b + beside[2] * t.c);
+    rise.slope = place.turnedBack(rise.slope);
+    return rise;
 }
 
 } // namespace
@@ -23,15 +53,16 @@ TextureField samplePainted(const CompiledPattern& pattern, const TexturePoint& p
     const TriangleSoup& soup = *pattern.soup;
     if (point.triangle >= soup.triangles.size()) return {};
     const auto& corners = soup.triangles[point.triangle];
-    Vec3 values;
-    for (std::size_t k = 0; k < 3; ++k)
-        values[Eigen::Index(k)] = (*pattern.painted)[corners[k]];
     const Triangle triangle{soup.positions[corners[0]], soup.positions[corners[1]],
                             soup.positions[corners[2]]};
-    const Vec3 gradient = gradientOf(triangle, values, corners[1] == corners[2]);
-    // Beside a triangle, where a picture continues it, too.
-    const double value = std::clamp(point.weights.dot(values), 0.0, 1.0);
-    return {value, gradient - gradient.dot(point.normal) * point.normal};
+    const bool hasPlane = (triangle.b - triangle.a).cross(triangle.c - triangle.a).squaredNorm() > 0;
+    const Rise rise = hasPlane ? onSurface(pattern, point)
+                               : onSegment(triangle, valuesAt(pattern, point.triangle), point.weights,
+                                           corners[1] == corners[2]);
+    // It rises no more where it is cut off, but for where something linear begins or ends.
+    constexpr double kCut = 1e-9;
+    if (rise.value < -kCut || rise.value > 1 + kCut) return {std::clamp(rise.value, 0.0, 1.0), Vec3::Zero()};
+    return {std::clamp(rise.value, 0.0, 1.0), rise.slope - rise.slope.dot(point.normal) * point.normal};
 }
 
 } // namespace tactum

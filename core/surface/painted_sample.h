@@ -1,4 +1,4 @@
-// Painted values at a point of a mesh: linear over each triangle.
+// Painted values at a point of a mesh: a smooth surface through the values at its positions.
 #pragma once
 
 #include "core/surface/texture_field.h"
@@ -6,9 +6,12 @@
 
 namespace tactum {
 
-/// Value and gradient of a pattern whose source is Painted. The gradient is constant over a triangle, or
-/// along a segment, and tangent to the normal of the point; zero on a point and on slivers without a plane.
-/// Thread: real time.
+/// Value and gradient of a pattern whose source is Painted. Over a triangle the value is a cubic in three
+/// parts whose slope does not jump, neither between them nor from triangle to triangle (R. W. Clough and
+/// J. L. Tocher, Finite element stiffness matrices for analysis of plate bending, 1965, with the slope across
+/// an edge linear along it); along a segment it is linear. What is linear is met exactly. The gradient is
+/// that of the value, tangent to the normal of the point; zero on a point, on slivers without a plane, and
+/// where the cubic would leave 0 to 1. Thread: real time.
 TextureField samplePainted(const CompiledPattern& pattern, const TexturePoint& point) noexcept;
 
 } // namespace tactum

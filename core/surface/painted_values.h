@@ -9,8 +9,8 @@
 
 namespace tactum {
 
-/// Values from 0 to 1 in the order of TriangleSoup::positions. Between the corners of a triangle they are
-/// linear. Shared through a shared_ptr to const.
+/// Values from 0 to 1 in the order of TriangleSoup::positions. Between them lies a smooth surface
+/// (painted_sample.h). Shared through a shared_ptr to const.
 class PaintedValues {
 public:
     /// Values outside are brought inside; what is no number becomes 0. Thread: any but real time.

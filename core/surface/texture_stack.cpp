@@ -39,8 +39,33 @@ double metresPerRadian(const TexturePattern& pattern) {
     return repeats * pattern.size / turn;
 }
 
+using Stacks = std::span<const std::shared_ptr<const TextureStack>>;
+
+/// The slopes of what is painted: those of `known` where the values are the same, else made on the ground
+/// that a stack of the same mesh and surface knows, if one does.
+std::shared_ptr<const PaintedSlopes> slopesOf(const CompiledPattern& pattern, Index surface, Stacks known) {
+    std::shared_ptr<const PaintedGround> ground;
+    std::shared_ptr<const PaintedSlopes> same;
+    const auto look = [&](const CompiledPattern& other) {
+        if (!other.slopes || other.soup != pattern.soup) return;
+        ground = other.slopes->ground();
+        if (other.painted == pattern.painted) same = other.slopes;
+    };
+    for (const auto& before : known) {
+        if (!before || before->surface != surface) continue;
+        for (const CompiledLayer& layer : before->layers) {
+            look(layer.pattern);
+            if (layer.mask) look(*layer.mask);
+        }
+    }
+    if (same) return same;
+    if (!ground) ground = std::make_shared<const PaintedGround>(pattern.soup, surface);
+    return std::make_shared<const PaintedSlopes>(*pattern.soup, std::move(ground), *pattern.painted);
+}
+
 /// Empty when it cannot be felt. `stack`: for its mesh.
-std::optional<CompiledPattern> compiled(const TexturePattern& wanted, const TextureStack& stack) {
+std::optional<CompiledPattern> compiled(const TexturePattern& wanted, const TextureStack& stack,
+                                        Stacks known) {
     const TexturePattern pattern = madeSafe(wanted);
     const double metresPerUv = stack.metresPerUv;
     if (pattern.source == TextureSource::Image && !pattern.image) return std::nullopt;
@@ -50,6 +75,7 @@ std::optional<CompiledPattern> compiled(const TexturePattern& wanted, const Text
         result.painted = pattern.painted.values;
         result.soup = stack.soup;
         if (!result.painted || result.painted->size() != stack.soup->positions.size()) return std::nullopt;
+        result.slopes = slopesOf(result, stack.surface, known);
     }
     result.source = pattern.source;
     result.mapping = pattern.mapping;
@@ -66,14 +92,14 @@ std::optional<CompiledPattern> compiled(const TexturePattern& wanted, const Text
     return result;
 }
 
-std::optional<CompiledLayer> compiled(const TextureLayer& layer, const TextureStack& stack) {
+std::optional<CompiledLayer> compiled(const TextureLayer& layer, const TextureStack& stack, Stacks known) {
     if (!layer.enabled) return std::nullopt;
-    const auto pattern = compiled(layer.pattern, stack);
+    const auto pattern = compiled(layer.pattern, stack, known);
     if (!pattern) return std::nullopt;
     CompiledLayer result;
     result.pattern = *pattern;
     if (layer.mask) {
-        result.mask = compiled(*layer.mask, stack);
+        result.mask = compiled(*layer.mask, stack, known);
         if (!result.mask) return std::nullopt; // a layer without its mask would be felt everywhere
     }
     result.target = layer.target;
@@ -88,8 +114,7 @@ bool asksForUvs(const TextureLayer& layer) {
     return layer.enabled && (usesUvs(layer.pattern) || (layer.mask && usesUvs(*layer.mask)));
 }
 
-double knownMetresPerUv(const TextureStack& wanted,
-                        std::span<const std::shared_ptr<const TextureStack>> known) {
+double knownMetresPerUv(const TextureStack& wanted, Stacks known) {
     for (const auto& stack : known)
         if (stack && stack->soup == wanted.soup && stack->surface == wanted.surface &&
             stack->metresPerUv >= 0)
@@ -120,7 +145,7 @@ compileTextures(const std::vector<TextureLayer>& layers, const std::shared_ptr<c
     if (std::any_of(layers.begin(), layers.end(), asksForUvs))
         stack->metresPerUv = knownMetresPerUv(*stack, known);
     for (const TextureLayer& layer : layers)
-        if (auto ready = compiled(layer, *stack);
+        if (auto ready = compiled(layer, *stack, known);
             ready && stack->layers.size() < std::size_t(kMaxTextureLayers))
             stack->layers.push_back(std::move(*ready));
     limitOwnPlanes(stack->layers);

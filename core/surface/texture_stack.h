@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geometry/triangle_soup.h"
+#include "core/surface/painted_slopes.h"
 #include "core/surface/procedural_texture.h"
 #include "core/surface/texture_layer.h"
 
@@ -19,12 +20,13 @@ struct CompiledPattern {
     std::shared_ptr<const TextureImage> image; ///< never empty for the source Image
     /// Never empty for the source Painted: as many values as the soup has positions.
     std::shared_ptr<const PaintedValues> painted;
-    std::shared_ptr<const TriangleSoup> soup; ///< of the source Painted
-    double metresPerUv = 0;                   ///< of one unit of the mesh's coordinates
-    Mat3 axes = Mat3::Identity();             ///< rows: the axes of the mapping frame, in the body frame
-    Vec3 origin = Vec3::Zero();               ///< of the mapping frame, body frame, m
-    double radius = 1;                        ///< m
-    double metresPerRadian = 1;               ///< around the axis; a turn is a whole number of repeats
+    std::shared_ptr<const TriangleSoup> soup;    ///< of the source Painted
+    std::shared_ptr<const PaintedSlopes> slopes; ///< of the source Painted: never empty there
+    double metresPerUv = 0;                      ///< of one unit of the mesh's coordinates
+    Mat3 axes = Mat3::Identity();                ///< rows: the axes of the mapping frame, in the body frame
+    Vec3 origin = Vec3::Zero();                  ///< of the mapping frame, body frame, m
+    double radius = 1;                           ///< m
+    double metresPerRadian = 1;                  ///< around the axis; a turn is a whole number of repeats
     Eigen::Vector2d offset = Eigen::Vector2d::Zero();              ///< m
     Eigen::Matrix2d repeatsPerMetre = Eigen::Matrix2d::Identity(); ///< turns and scales
     WaveShape wave;
@@ -63,7 +65,7 @@ struct TextureStack {
 /// each position of the mesh, or ask for UVs that it has not are left out (validation tells the person);
 /// nothing is returned when none is left. A stack among `known` that was made of the same is returned itself;
 /// images bring their levels along, so a new stack costs no more than its numbers, and a look at the mesh
-/// where the UVs' scale is needed and not known. Thread: any but real time.
+/// where the UVs' scale or the slopes of what is painted are needed and not known. Thread: any but real time.
 std::shared_ptr<const TextureStack>
 compileTextures(const std::vector<TextureLayer>& layers, const std::shared_ptr<const TriangleSoup>& soup,
                 Index surface, std::span<const std::shared_ptr<const TextureStack>> known = {});

@@ -49,10 +49,34 @@ TextureLayer formulaOf(const Wave& wave) {
     return layer;
 }
 
-std::shared_ptr<const World> worldWith(const TextureLayer& layer, const Material& material) {
-    Scene scene = sceneOf(sheet(0.5), material, kRadius);
+std::shared_ptr<const World> worldWith(const TextureLayer& layer, const Material& material,
+                                       const Soup& soup = sheet(0.5)) {
+    Scene scene = sceneOf(soup, material, kRadius);
     scene.objects[0].surfaces[0].layers = {layer};
     return compile(scene).value();
+}
+
+/// A strip along x of `cell` m from vertex to vertex, on whose edges no stroke along y = 0 goes.
+Soup meshFor(double cell) {
+    SoupBuilder builder;
+    const int count = int(std::ceil(0.24 / cell));
+    const auto at = [&](int i, int k) { return Vec3(-0.12 + i * cell, (k - 1.5) * 2e-3, 0); };
+    for (int i = 0; i < count; ++i)
+        for (int k = 0; k < 3; ++k)
+            builder.triangle(at(i, k), at(i + 1, k), at(i + 1, k + 1))
+                .triangle(at(i, k), at(i + 1, k + 1), at(i, k + 1));
+    return builder.build();
+}
+
+/// The wave at the vertices of a mesh.
+TextureLayer paintOf(const Wave& wave, const TriangleSoup& soup) {
+    std::vector<float> values;
+    for (const Vec3& p : soup.positions)
+        values.push_back(float(0.5 + 0.5 * std::sin(2 * kPi * p.x() / wave.length)));
+    TextureLayer layer =
+        heightLayer(TextureSource::Painted, TextureMapping::Planar, wave.length, wave.height);
+    layer.pattern.painted = {std::make_shared<const PaintedValues>(std::move(values))};
+    return layer;
 }
 
 struct Stroke {
@@ -66,9 +90,10 @@ struct Stroke {
 
 /// What a slide along x feels over some waves. The slope is that of the force, seen from the cone of
 /// friction.
-Stroke stroked(const Wave& wave, const TextureLayer& layer, double friction, double speed) {
+Stroke stroked(const Wave& wave, const TextureLayer& layer, double friction, double speed,
+               const Soup& soup = sheet(0.5)) {
     const Material material = rough(friction > 0 ? friction + 0.1 : 0, friction);
-    Hand hand(worldWith(layer, material));
+    Hand hand(worldWith(layer, material, soup));
     const double start = -0.1, begin = start + 4 * wave.length + 4 * kDepth, height = kRadius - kDepth;
     hand.to({start, 0, 3e-3});
     hand.go({start, 0, height}, 0.05);
@@ -105,6 +130,8 @@ class FeltPicturesTest : public QObject {
 private slots:
     void aPictureIsFeltAsItsFormula_data();
     void aPictureIsFeltAsItsFormula();
+    void whatIsPaintedIsFeltAsItsFormula_data();
+    void whatIsPaintedIsFeltAsItsFormula();
     void aJumpEndsWhereFrictionHolds_data();
     void aJumpEndsWhereFrictionHolds();
 };
@@ -152,6 +179,46 @@ void FeltPicturesTest::aPictureIsFeltAsItsFormula() {
     QCOMPARE_LT(picture.largestStep, (1.2 * formula.largestStep + rounding * kStiffness.initial * kDepth));
     QCOMPARE(picture.stops, 0);
     COMPARE_NEAR(picture.ratio, formula.ratio, 0.01 * friction + 1e-4, "");
+}
+
+// At the vertices of a mesh whose triangles are ten times as long across as along the wave.
+void FeltPicturesTest::whatIsPaintedIsFeltAsItsFormula_data() {
+    QTest::addColumn<double>("length");
+    QTest::addColumn<double>("height");
+    QTest::addColumn<double>("speed");
+    QTest::addColumn<double>("friction");
+    QTest::addColumn<int>("vertices");
+    for (const auto& [length, height] : {std::pair{20e-3, 1e-3}, {10e-3, 0.5e-3}, {4e-3, 0.1e-3}})
+        for (double speed : {0.01, 0.05, 0.15})
+            for (double friction : {0.0, 0.3, 0.8})
+                for (int vertices : {16, 24, 50})
+                    if (speed / length <= kWholeUpTo && (isLong() || vertices == 24))
+                        QTest::addRow("%g mm, %g mm high, %g m/s, mu %g, %d vertices a wave", 1e3 * length,
+                                      1e3 * height, speed, friction, vertices)
+                            << length << height << speed << friction << vertices;
+}
+
+void FeltPicturesTest::whatIsPaintedIsFeltAsItsFormula() {
+    QFETCH(double, length);
+    QFETCH(double, height);
+    QFETCH(double, speed);
+    QFETCH(double, friction);
+    QFETCH(int, vertices);
+    const Wave wave{length, height};
+    const Soup soup = meshFor(length / vertices);
+    const Stroke painted = stroked(wave, paintOf(wave, *soup), friction, speed, soup),
+                 formula = stroked(wave, formulaOf(wave), friction, speed);
+    qInfo("gain %.4f, off by %.2f %%, height %.4f of %.4f mm, step %.4f of %.4f N, %d of %d stops, ratio "
+          "%.4f of %.4f",
+          painted.gain, 100 * painted.error, 1e3 * painted.height, 1e3 * formula.height, painted.largestStep,
+          formula.largestStep, painted.stops, formula.stops, painted.ratio, formula.ratio);
+    COMPARE_NEAR(painted.gain, 1, 0.005, "");
+    QCOMPARE_LT(painted.error, 0.02);
+    COMPARE_NEAR(painted.height / formula.height, 1, 0.025, "");
+    // How fast the slope changes may jump from triangle to triangle: most with sixteen vertices and 0.01 m/s.
+    QCOMPARE_LT(painted.largestStep, 3 * formula.largestStep);
+    QCOMPARE(painted.stops, 0);
+    COMPARE_NEAR(painted.ratio, formula.ratio, 0.01 * friction + 1e-4, "");
 }
 
 // Waves so sharp that a finger as deep cannot feel every place: the proxy holds before a crest, falls over it

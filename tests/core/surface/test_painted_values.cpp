@@ -1,7 +1,10 @@
-// Painted values: linear on triangles and segments, left out where they do not fit, and images painted in
-// part.
+// Painted values: a smooth surface through them, left out where they do not fit, and images painted in part.
+//
+// What would show that a test here is wrong: slopes are compared with differences of the height, and heights
+// with formulas that a cubic meets exactly; that slopes do not jump is seen from both sides of an edge.
 #include <QTest>
 
+#include "core/geometry/weld.h"
 #include "tests/core/surface/texture_rig.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
@@ -33,6 +36,24 @@ TexturePoint pointOn(const TriangleSoup& soup, Index triangle, const Vec3& weigh
     return point;
 }
 
+/// 2 n^2 triangles in the plane z = 0 around the origin, as fine as `cell`.
+Soup evenPlane(int n, double cell) {
+    SoupBuilder builder;
+    const auto at = [&](int i, int k) { return Vec3((i - 0.5 * n) * cell, (k - 0.5 * n) * cell, 0); };
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < n; ++k)
+            builder.triangle(at(i, k), at(i + 1, k), at(i + 1, k + 1))
+                .triangle(at(i, k), at(i + 1, k + 1), at(i, k + 1));
+    return builder.build();
+}
+
+template <class Height> std::vector<float> valuesOf(const TriangleSoup& soup, Height&& height) {
+    std::vector<float> values;
+    for (const Vec3& p : soup.positions)
+        values.push_back(float(height(p)));
+    return values;
+}
+
 Vec3 randomWeights(Rng& rng) {
     Vec3 weights(uniform(rng, 0, 1), uniform(rng, 0, 1), uniform(rng, 0, 1));
     return weights / weights.sum();
@@ -44,15 +65,17 @@ class TestPaintedValues : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Values of a function that is linear in space are that function, and its gradient along the triangle.
-    void linearOnATriangle() {
+    /// Values of a function that is linear in space are that function on one triangle and in a plane, and its
+    /// gradient along it.
+    void whatIsLinearIsMet() {
         Rng rng(3);
-        for (int round = 0; round < 500; ++round) {
+        for (int round = 0; round < 300; ++round) {
             const Vec3 gradient = uniform(rng, 0.1, 2) * direction(rng);
+            const Pose pose{Quat::FromTwoVectors(Vec3::UnitZ(), direction(rng)), inBox(rng, 0.01)};
             auto soup = std::make_shared<TriangleSoup>();
             std::vector<float> values;
             for (int i = 0; i < 5; ++i) {
-                soup->positions.push_back(inBox(rng, 0.1));
+                soup->positions.push_back(pose.apply(inBox(rng, 0.1).cwiseProduct(Vec3(1, 1, 0))));
                 values.push_back(float(0.5 + gradient.dot(soup->positions.back())));
             }
             soup->triangles = {{0, 1, 2}, {4, 3, 1}};
@@ -67,10 +90,141 @@ private slots:
                 const TextureFeel touch = feel(*stack, point, 1e-3);
                 COMPARE_NEAR(touch.height, 0.01 * (0.5 + gradient.dot(point.position)), 1e-8, "m");
                 const Vec3 expected = 0.01 * (gradient - gradient.dot(normal) * normal);
-                QVERIFY2((touch.slope - expected).norm() < 1e-6,
-                         qPrintable(QString::number((touch.slope - expected).norm())));
+                COMPARE_NEAR(touch.slope, expected, 2e-6, "");
             }
         }
+    }
+
+    /// On a plane whose positions lie evenly a slope at them is exact for a square, and so is all between.
+    void aSquareIsMetWherePositionsLieEvenly() {
+        Rng rng(6);
+        const auto height = [](const Vec3& p) {
+            return 0.4 + 20 * p.x() * p.x() - 15 * p.x() * p.y() + 10 * p.y() * p.y() + 0.3 * p.x();
+        };
+        const Soup soup = evenPlane(12, 0.01);
+        const auto stack = stackOf({paintedLayer(painted(valuesOf(*soup, height)), 1e-3)}, soup);
+        for (int round = 0; round < 2000; ++round) {
+            const Index triangle = Index(rng() % soup->triangles.size());
+            const TexturePoint point = pointOn(*soup, triangle, randomWeights(rng), Vec3::UnitZ());
+            if (point.position.cwiseAbs().maxCoeff() > 0.04)
+                continue; // a rim has neighbours on one side alone
+            const TextureFeel touch = feel(*stack, point, 0);
+            const Vec3& p = point.position;
+            COMPARE_NEAR(touch.height, 1e-3 * height(p), 1e-10, "m");
+            COMPARE_NEAR(touch.slope, 1e-3 * Vec3(40 * p.x() - 15 * p.y() + 0.3, -15 * p.x() + 20 * p.y(), 0),
+                         1e-7, "");
+        }
+    }
+
+    /// The slope is that of the height everywhere, and does not jump at an edge, whatever was painted.
+    void theSlopeIsTheHeightsAndDoesNotJump() {
+        Rng rng(7);
+        auto moved = std::make_shared<TriangleSoup>(*evenPlane(8, 0.01));
+        // Any that are the same at the corners that lie at one place.
+        const std::vector<Index> place = weldMap(moved->positions);
+        std::vector<float> values;
+        for (std::size_t i = 0; i < place.size(); ++i) {
+            const bool isFirst = place[i] == i;
+            values.push_back(isFirst ? float(uniform(rng, 0.35, 0.65)) : values[place[i]]);
+            moved->positions[i] =
+                isFirst ? Vec3(moved->positions[i] + 0.002 * inBox(rng, 1).cwiseProduct(Vec3(1, 1, 0)))
+                        : moved->positions[place[i]];
+        }
+        const auto stack = stackOf({paintedLayer(painted(values), 1e-3)}, moved);
+        const auto at = [&](Index triangle, const Vec3& weights) {
+            return feel(*stack, pointOn(*moved, triangle, weights, Vec3::UnitZ()), 0);
+        };
+        for (int round = 0; round < 2000; ++round) {
+            const Index triangle = Index(rng() % moved->triangles.size());
+            const Triangle t = triangleOf(*moved, triangle);
+            const Vec3 weights = 0.98 * randomWeights(rng) + Vec3::Constant(0.02 / 3);
+            const TextureFeel touch = at(triangle, weights);
+            for (const Vec3& way : {Vec3(1, -1, 0), Vec3(0, 1, -1)}) {
+                constexpr double kBit = 1e-5;
+                const Vec3 went = way[0] * t.a + way[1] * t.b + way[2] * t.c;
+                const double rise =
+                    (at(triangle, weights + kBit * way).height - at(triangle, weights - kBit * way).height) /
+                    (2 * kBit);
+                COMPARE_NEAR(rise, touch.slope.dot(went), 1e-8, "m");
+            }
+        }
+        int edges = 0;
+        for (Index one = 0; one < moved->triangles.size(); ++one)
+            for (Index other = 0; other < one; ++other)
+                for (int i = 0; i < 3; ++i)
+                    for (int k = 0; k < 3; ++k) {
+                        const auto &a = moved->triangles[one], &b = moved->triangles[other];
+                        const auto isAt = [&](Index p, Index q) {
+                            return moved->positions[p] == moved->positions[q];
+                        };
+                        if (!isAt(a[std::size_t(i)], b[std::size_t(k)]) ||
+                            !isAt(a[std::size_t((i + 1) % 3)], b[std::size_t((k + 2) % 3)]))
+                            continue;
+                        ++edges;
+                        const double part = uniform(rng, 0, 1);
+                        Vec3 here = Vec3::Zero(), there = Vec3::Zero();
+                        here[i] = there[k] = 1 - part;
+                        here[(i + 1) % 3] = there[(k + 2) % 3] = part;
+                        COMPARE_NEAR(at(one, here).height, at(other, there).height, 1e-12, "m");
+                        COMPARE_NEAR(at(one, here).slope, at(other, there).slope, 1e-8, "");
+                    }
+        QCOMPARE_GT(edges, 150);
+    }
+
+    /// Around a crease a slope goes on as if the surface were unrolled.
+    void aSlopeGoesAroundACrease() {
+        auto soup = std::make_shared<TriangleSoup>(*evenPlane(8, 0.01));
+        for (Vec3& p : soup->positions)
+            if (p.x() > 0) p = {0, p.y(), -p.x()};
+        const auto along = [](const Vec3& p) { return 0.5 + 8 * (p.x() - p.z()) + 2 * p.y(); };
+        const auto stack = stackOf({paintedLayer(painted(valuesOf(*soup, along)), 1e-3)}, soup);
+        Rng rng(8);
+        for (int round = 0; round < 500; ++round) {
+            const Index triangle = Index(rng() % soup->triangles.size());
+            const Triangle t = triangleOf(*soup, triangle);
+            const Vec3 normal = (t.b - t.a).cross(t.c - t.a).normalized();
+            const TexturePoint point = pointOn(*soup, triangle, randomWeights(rng), normal);
+            const TextureFeel touch = feel(*stack, point, 0);
+            COMPARE_NEAR(touch.height, 1e-3 * along(point.position), 1e-9, "m");
+            const Vec3 downhill = normal.x() > 0.5 ? Vec3(0, 2, -8) : Vec3(8, 2, 0);
+            COMPARE_NEAR(touch.slope, 1e-3 * downhill, 1e-8, "");
+        }
+    }
+
+    /// Where the surface would leave 0 to 1 it is cut off, and flat.
+    void itStaysFromNoneToAll() {
+        const Soup soup = evenPlane(8, 0.01);
+        const auto step = [](const Vec3& p) { return p.x() > 0.005 ? 1.0 : 0.0; };
+        const auto stack = stackOf({paintedLayer(painted(valuesOf(*soup, step)), 1e-3)}, soup);
+        Rng rng(9);
+        int flat = 0;
+        for (int round = 0; round < 3000; ++round) {
+            const Index triangle = Index(rng() % soup->triangles.size());
+            const TextureFeel touch =
+                feel(*stack, pointOn(*soup, triangle, randomWeights(rng), Vec3::UnitZ()), 0);
+            QCOMPARE_GE(touch.height, 0);
+            QCOMPARE_LE(touch.height, 1e-3);
+            if (touch.height > 0 && touch.height < 1e-3) continue;
+            COMPARE_NEAR(touch.slope.norm(), 0, 1e-9, "");
+            ++flat;
+        }
+        QCOMPARE_GT(flat, 1000);
+    }
+
+    /// Those of one layer are found again when another edit makes a new stack of the same values.
+    void slopesAreMadeOnce() {
+        const Soup soup = evenPlane(4, 0.01);
+        TextureLayer layer =
+            paintedLayer(painted(valuesOf(*soup, [](const Vec3& p) { return 0.5 + p.x(); })), 1e-3);
+        const auto before = stackOf({layer}, soup);
+        layer.strength = 2e-3;
+        const std::vector known{before};
+        const auto after = compileTextures({layer}, soup, 0, known);
+        QVERIFY(after != before);
+        QCOMPARE(after->layers[0].pattern.slopes, before->layers[0].pattern.slopes);
+        layer.pattern.painted = painted(valuesOf(*soup, [](const Vec3& p) { return 0.5 + p.y(); }));
+        QVERIFY(compileTextures({layer}, soup, 0, known)->layers[0].pattern.slopes !=
+                before->layers[0].pattern.slopes);
     }
 
     void segmentsAndPoints() {
