@@ -191,6 +191,58 @@ private slots:
         }
     }
 
+    /// A slide looks ahead in the plane of the triangle where it begins: there lies what its neighbours have,
+    /// in their planes turned into that one. Where the mesh ends it goes on straight.
+    void besideATriangleItsNeighboursGoOn() {
+        const auto wave = [](const Vec3& p) {
+            return 0.5 + 0.2 * std::sin(90 * p.x()) * std::cos(70 * p.y());
+        };
+        const Soup plane = evenPlane(12, 0.01);
+        const TextureLayer layer = paintedLayer(painted(valuesOf(*plane, wave)), 1e-3);
+        const auto folded = [](const Vec3& p) { return p.x() > 0 ? Vec3(0, p.y(), -p.x()) : p; };
+        auto creased = std::make_shared<TriangleSoup>(*plane);
+        for (Vec3& p : creased->positions)
+            p = folded(p);
+        const auto flat = stackOf({layer}, plane), bent = stackOf({layer}, creased);
+        Rng rng(10);
+        int across = 0;
+        for (int round = 0; round < 3000; ++round) {
+            const Index triangle = Index(rng() % plane->triangles.size());
+            const Vec3 beside = 1.5 * Vec3(uniform(rng, -1, 1), uniform(rng, -1, 1), 0);
+            const Vec3 weights(beside[0], beside[1], 1 - beside[0] - beside[1]);
+            const TexturePoint point = pointOn(*plane, triangle, weights, Vec3::UnitZ());
+            if (point.position.cwiseAbs().maxCoeff() > 0.055) continue;
+            Index there = 0;
+            Vec3 inside;
+            for (; there < plane->triangles.size(); ++there) {
+                const Triangle t = triangleOf(*plane, there);
+                Eigen::Matrix3d corners;
+                corners << t.a, t.b, t.c;
+                corners.row(2).setOnes();
+                inside = corners.inverse() * Vec3(point.position.x(), point.position.y(), 1);
+                if (inside.minCoeff() >= -1e-12) break;
+            }
+            const TextureFeel right = feel(*flat, pointOn(*plane, there, inside, Vec3::UnitZ()), 0),
+                              touch = feel(*flat, point, 0);
+            COMPARE_NEAR(touch.height, right.height, 1e-12, "m");
+            COMPARE_NEAR(touch.slope, right.slope, 1e-9, "");
+            const Triangle t = triangleOf(*creased, triangle);
+            const Vec3 normal = (t.b - t.a).cross(t.c - t.a).normalized();
+            const TextureFeel around = feel(*bent, pointOn(*creased, triangle, weights, normal), 0);
+            COMPARE_NEAR(around.height, right.height, 1e-9, "m");
+            const Vec3 turned = normal.x() > 0.5 ? Vec3(0, right.slope.y(), -right.slope.x()) : right.slope;
+            COMPARE_NEAR(around.slope, turned, 1e-7, "");
+            across += (normal.x() > 0.5) != (point.position.x() > 0);
+        }
+        QCOMPARE_GT(across, 50);
+        const TexturePoint rim = pointOn(*plane, 1, Vec3(0.5, 0, 0.9) / 1.4, Vec3::UnitZ()),
+                           outside = pointOn(*plane, 1, {0.5, -0.4, 0.9}, Vec3::UnitZ());
+        const TextureFeel last = feel(*flat, rim, 0), beyond = feel(*flat, outside, 0);
+        COMPARE_NEAR(beyond.slope, last.slope, 1e-12, "");
+        COMPARE_NEAR(beyond.height, last.height + last.slope.dot(outside.position - rim.position), 1e-12,
+                     "m");
+    }
+
     /// Where the surface would leave 0 to 1 it is cut off, and flat.
     void itStaysFromNoneToAll() {
         const Soup soup = evenPlane(8, 0.01);
