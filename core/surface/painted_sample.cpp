@@ -23,16 +23,19 @@ Vec3 valuesAt(const CompiledPattern& pattern, Index triangle) noexcept {
     return {(*pattern.painted)[corners[0]], (*pattern.painted)[corners[1]], (*pattern.painted)[corners[2]]};
 }
 
+Triangle cornersOf(const CompiledPattern& pattern, Index triangle) noexcept {
+    const TriangleSoup& soup = *pattern.soup;
+    const auto& corners = soup.triangles[triangle];
+    return {soup.positions[corners[0]], soup.positions[corners[1]], soup.positions[corners[2]]};
+}
+
 /// No weight below zero.
 Rise onTriangle(const CompiledPattern& pattern, Index index, const Triangle& triangle,
                 const Vec3& weights) noexcept {
-    const Vec3 values = valuesAt(pattern, index), flat = linearSlope(triangle, values);
-    const Vec3 normal = (triangle.b - triangle.a).cross(triangle.c - triangle.a).normalized();
-    std::array<Vec3, 3> slopes;
-    for (std::size_t k = 0; k < 3; ++k)
-        slopes[k] = pattern.slopes->at(pattern.soup->triangles[index][k], normal, flat);
+    const Vec3 values = valuesAt(pattern, index);
+    const std::array<Vec3, 3> slopes = paintedSlopes(pattern, index);
     const Rise rise = ThreeParts(triangle, values, slopes).at(weights);
-    return rise.slope.allFinite() ? rise : Rise{weights.dot(values), flat};
+    return rise.slope.allFinite() ? rise : Rise{weights.dot(values), linearSlope(triangle, values)};
 }
 
 /// Beside a triangle, too, where the surface goes on, and straight on where it ends.
@@ -49,12 +52,20 @@ Rise onSurface(const CompiledPattern& pattern, const TexturePoint& point) noexce
 
 } // namespace
 
+std::array<Vec3, 3> paintedSlopes(const CompiledPattern& pattern, Index triangle) noexcept {
+    const Triangle t = cornersOf(pattern, triangle);
+    const Vec3 flat = linearSlope(t, valuesAt(pattern, triangle));
+    const Vec3 normal = (t.b - t.a).cross(t.c - t.a).normalized();
+    std::array<Vec3, 3> slopes;
+    for (std::size_t k = 0; k < 3; ++k)
+        slopes[k] = pattern.slopes->at(pattern.soup->triangles[triangle][k], normal, flat);
+    return slopes;
+}
+
 TextureField samplePainted(const CompiledPattern& pattern, const TexturePoint& point) noexcept {
-    const TriangleSoup& soup = *pattern.soup;
-    if (point.triangle >= soup.triangles.size()) return {};
-    const auto& corners = soup.triangles[point.triangle];
-    const Triangle triangle{soup.positions[corners[0]], soup.positions[corners[1]],
-                            soup.positions[corners[2]]};
+    if (point.triangle >= pattern.soup->triangles.size()) return {};
+    const auto& corners = pattern.soup->triangles[point.triangle];
+    const Triangle triangle = cornersOf(pattern, point.triangle);
     const bool hasPlane = (triangle.b - triangle.a).cross(triangle.c - triangle.a).squaredNorm() > 0;
     const Rise rise = hasPlane ? onSurface(pattern, point)
                                : onSegment(triangle, valuesAt(pattern, point.triangle), point.weights,

@@ -1,6 +1,8 @@
 // Painted values at a point of a mesh: a smooth surface through the values at its positions.
 #pragma once
 
+#include <array>
+
 #include "core/surface/texture_field.h"
 #include "core/surface/texture_mapping.h"
 
@@ -13,5 +15,8 @@ namespace tactum {
 /// that of the value, tangent to the normal of the point; zero on a point, on slivers without a plane, and
 /// where the cubic would leave 0 to 1. Thread: real time.
 TextureField samplePainted(const CompiledPattern& pattern, const TexturePoint& point) noexcept;
+
+/// The slopes at the corners of a triangle, in its plane: body frame, 1/m. Thread: real time.
+std::array<Vec3, 3> paintedSlopes(const CompiledPattern& pattern, Index triangle) noexcept;
 
 } // namespace tactum

@@ -11,6 +11,7 @@
 #include <vtkShaderProperty.h>
 #include <vtkUniforms.h>
 
+#include "core/surface/painted_sample.h"
 #include "core/surface/procedural_texture.h"
 #include "ui/view/studio_light.h"
 
@@ -93,8 +94,9 @@ vec3 feltKept$(vec3 weight) {
     return feltQuick > 0 ? max(weight - 0.5 * max(weight.x, max(weight.y, weight.z)), 0.0) : weight;
 }
 )";
+/// Value and slope at the corners, both linear between them.
 constexpr const char* kPainted = R"(
-vec4 feltPattern$(vec3 place, vec3 n) { return feltOf(clamp(feltPainted$, 0.0, 1.0), feltGradient(feltPainted$)); }
+vec4 feltPattern$(vec3 place, vec3 n) { return feltOf(clamp(feltPainted$.w, 0.0, 1.0), feltPainted$.xyz); }
 )";
 constexpr const char* kOnUvs = R"(
 vec4 feltPattern$(vec3 place, vec3 n) {
@@ -254,7 +256,7 @@ std::vector<Handed> handedOf(const Relief& relief) {
         handed.push_back({kUvArray, "vec2", "feltUvs"});
     for (std::size_t i = 0; i < patterns.size(); ++i)
         if (patterns[i]->source == TextureSource::Painted)
-            handed.push_back({kPaintArray + std::to_string(i), "float", "feltPainted" + std::to_string(i)});
+            handed.push_back({kPaintArray + std::to_string(i), "vec4", "feltPainted" + std::to_string(i)});
     return handed;
 }
 
@@ -404,10 +406,15 @@ void giveCorners(vtkPolyData& data, Index surface, const Relief& relief) {
         give(kUvArray, 2,
              [&](Index f, std::size_t k) { return soup.cornerUvs[3 * std::size_t(f) + k].data(); });
     const auto patterns = patternsOf(*relief.stack);
+    std::array<Vec3, 3> slopes;
+    std::array<float, 4> numbers;
     for (std::size_t i = 0; i < patterns.size(); ++i)
         if (patterns[i]->source == TextureSource::Painted)
-            give(kPaintArray + std::to_string(i), 1, [&](Index f, std::size_t k) {
-                return patterns[i]->painted->all().data() + soup.triangles[f][k];
+            give(kPaintArray + std::to_string(i), 4, [&](Index f, std::size_t k) {
+                if (k == 0) slopes = paintedSlopes(*patterns[i], f);
+                numbers = four(slopes[k].x(), slopes[k].y(), slopes[k].z(),
+                               (*patterns[i]->painted)[soup.triangles[f][k]]);
+                return numbers.data();
             });
 }
 
