@@ -23,12 +23,6 @@ Vec3 valuesAt(const CompiledPattern& pattern, Index triangle) noexcept {
     return {(*pattern.painted)[corners[0]], (*pattern.painted)[corners[1]], (*pattern.painted)[corners[2]]};
 }
 
-Triangle cornersOf(const CompiledPattern& pattern, Index triangle) noexcept {
-    const TriangleSoup& soup = *pattern.soup;
-    const auto& corners = soup.triangles[triangle];
-    return {soup.positions[corners[0]], soup.positions[corners[1]], soup.positions[corners[2]]};
-}
-
 /// No weight below zero.
 Rise onTriangle(const CompiledPattern& pattern, Index index, const Triangle& triangle,
                 const Vec3& weights) noexcept {
@@ -53,7 +47,7 @@ Rise onSurface(const CompiledPattern& pattern, const TexturePoint& point) noexce
 } // namespace
 
 std::array<Vec3, 3> paintedSlopes(const CompiledPattern& pattern, Index triangle) noexcept {
-    const Triangle t = cornersOf(pattern, triangle);
+    const Triangle t = cornersOf(*pattern.soup, triangle);
     const Vec3 flat = linearSlope(t, valuesAt(pattern, triangle));
     const Vec3 normal = (t.b - t.a).cross(t.c - t.a).normalized();
     std::array<Vec3, 3> slopes;
@@ -65,7 +59,7 @@ std::array<Vec3, 3> paintedSlopes(const CompiledPattern& pattern, Index triangle
 TextureField samplePainted(const CompiledPattern& pattern, const TexturePoint& point) noexcept {
     if (point.triangle >= pattern.soup->triangles.size()) return {};
     const auto& corners = pattern.soup->triangles[point.triangle];
-    const Triangle triangle = cornersOf(pattern, point.triangle);
+    const Triangle triangle = cornersOf(*pattern.soup, point.triangle);
     const bool hasPlane = (triangle.b - triangle.a).cross(triangle.c - triangle.a).squaredNorm() > 0;
     const Rise rise = hasPlane ? onSurface(pattern, point)
                                : onSegment(triangle, valuesAt(pattern, point.triangle), point.weights,

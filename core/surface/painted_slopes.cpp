@@ -28,12 +28,11 @@ Vec3 acrossOf(const Triangle& t) noexcept {
 
 // Calls see(corners, triangle, its edges' product) for those of a surface that have a plane.
 template <class See> void eachWithAPlane(const TriangleSoup& soup, Index surface, See&& see) {
-    for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    for (Index i = 0; i < soup.triangles.size(); ++i) {
         if (soup.surfaceOf[i] != surface) continue;
-        const auto& corners = soup.triangles[i];
-        const Triangle t{soup.positions[corners[0]], soup.positions[corners[1]], soup.positions[corners[2]]};
+        const Triangle t = cornersOf(soup, i);
         const Vec3 across = acrossOf(t);
-        if (across.squaredNorm() > 0) see(corners, t, across);
+        if (across.squaredNorm() > 0) see(soup.triangles[i], t, across);
     }
 }
 

@@ -48,6 +48,12 @@ private:
     std::vector<Eigen::Vector3f> rise_; ///< at each place, across its normal
 };
 
+/// The corners of a triangle of a mesh. Thread: real time.
+inline Triangle cornersOf(const TriangleSoup& soup, Index triangle) noexcept {
+    const auto& corner = soup.triangles[triangle];
+    return {soup.positions[corner[0]], soup.positions[corner[1]], soup.positions[corner[2]]};
+}
+
 /// Of the function that is linear on a triangle and has these values at its corners: body frame, 1/m, in the
 /// triangle's plane. Zero for segments, points and slivers without a plane. Thread: real time.
 Vec3 linearSlope(const Triangle& triangle, const Vec3& values) noexcept;

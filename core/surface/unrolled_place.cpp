@@ -4,11 +4,6 @@ namespace tactum {
 
 namespace {
 
-Triangle cornersOf(const TriangleSoup& soup, Index triangle) noexcept {
-    const auto& corner = soup.triangles[triangle];
-    return {soup.positions[corner[0]], soup.positions[corner[1]], soup.positions[corner[2]]};
-}
-
 Vec3 placeOf(const Triangle& t, const Vec3& weights) noexcept {
     return weights[0] * t.a + weights[1] * t.b + weights[2] * t.c;
 }
