@@ -57,11 +57,7 @@ Vec3 middleOf(Corners corners) {
 void tighten(SphereTree::Node& node, int i, Corners corners) {
     const Eigen::Vector3f centre = roundedCentre(middleOf(corners));
     const float radius = radiusAbove(farthestFrom(centre.cast<double>(), corners).distance2);
-    if (!(radius < node.radius[i])) return;
-    node.x[i] = centre.x();
-    node.y[i] = centre.y();
-    node.z[i] = centre.z();
-    node.radius[i] = radius;
+    if (radius < node.radius[i]) place(node, i, centre, radius);
 }
 
 void flatten(SphereTree::Node& node, int i, Corners corners) {

@@ -17,6 +17,14 @@ struct LeafRange {
 /// Which leaf spheres lie below each child of each node.
 using ChildRanges = std::vector<std::array<LeafRange, SphereTree::kWidth>>;
 
+/// Puts a sphere, as seen from the nodes' origin, around child i. Thread: any.
+inline void place(SphereTree::Node& node, int i, const Eigen::Vector3f& centre, float radius) {
+    node.x[i] = centre.x();
+    node.y[i] = centre.y();
+    node.z[i] = centre.z();
+    node.radius[i] = radius;
+}
+
 /// Makes the spheres of children that hold few primitives as small as their corners allow, where that is
 /// smaller, and gives those whose primitives lie flat a pair of planes. Positions in nodes are as seen from
 /// `origin`. Thread: any but real time; uses all cores. O(n).

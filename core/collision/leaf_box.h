@@ -1,6 +1,7 @@
 // The box around some leaf spheres.
 #pragma once
 
+#include <cstddef>
 #include <cstring>
 #include <limits>
 

@@ -155,10 +155,7 @@ public:
         const std::size_t index = appendNode();
         for (int i = 0; i < count; ++i) {
             const BinaryNode& child = tree_.node(open[i]);
-            nodes[index].x[i] = child.sphere.centre.x();
-            nodes[index].y[i] = child.sphere.centre.y();
-            nodes[index].z[i] = child.sphere.centre.z();
-            nodes[index].radius[i] = child.sphere.radius;
+            place(nodes[index], i, child.sphere.centre, child.sphere.radius);
             ranges[index][i] = {child.begin, child.end};
             if (child.left < 0) {
                 nodes[index].child[i] = ~std::int32_t(leaves.size());

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/surface/clough_tocher.h"
 #include "core/surface/painted_slopes.h"
-#include "core/surface/three_parts.h"
 #include "core/surface/unrolled_place.h"
 
 namespace tactum {
@@ -28,7 +28,7 @@ Rise onTriangle(const CompiledPattern& pattern, Index index, const Triangle& tri
                 const Vec3& weights) noexcept {
     const Vec3 values = valuesAt(pattern, index);
     const std::array<Vec3, 3> slopes = paintedSlopes(pattern, index);
-    const Rise rise = ThreeParts(triangle, values, slopes).at(weights);
+    const Rise rise = CloughTocher(triangle, values, slopes).at(weights);
     return rise.slope.allFinite() ? rise : Rise{weights.dot(values), linearSlope(triangle, values)};
 }
 

@@ -10,7 +10,7 @@ namespace tactum {
 
 namespace {
 
-// Normals that lean by more than this cosine share no plane.
+// Normals whose cosine is lower share no plane.
 constexpr double kLeastCommon = -0.8;
 
 bool shareAPlane(const Vec3& one, const Vec3& other) noexcept {

@@ -122,6 +122,13 @@ Stroke stroked(const Wave& wave, const TextureLayer& layer, double friction, dou
     return stroke;
 }
 
+void tell(const Stroke& felt, const Stroke& formula) {
+    qInfo("gain %.4f, off by %.2f %%, height %.4f of %.4f mm, step %.4f of %.4f N, %d of %d stops, ratio "
+          "%.4f of %.4f",
+          felt.gain, 100 * felt.error, 1e3 * felt.height, 1e3 * formula.height, felt.largestStep,
+          formula.largestStep, felt.stops, formula.stops, felt.ratio, formula.ratio);
+}
+
 } // namespace
 
 class FeltPicturesTest : public QObject {
@@ -165,10 +172,7 @@ void FeltPicturesTest::aPictureIsFeltAsItsFormula() {
     const Wave wave{length, height};
     const Stroke picture = stroked(wave, pictureOf(wave, texels), friction, speed),
                  formula = stroked(wave, formulaOf(wave), friction, speed);
-    qInfo("gain %.4f, off by %.2f %%, height %.4f of %.4f mm, step %.4f of %.4f N, %d of %d stops, ratio "
-          "%.4f of %.4f",
-          picture.gain, 100 * picture.error, 1e3 * picture.height, 1e3 * formula.height, picture.largestStep,
-          formula.largestStep, picture.stops, formula.stops, picture.ratio, formula.ratio);
+    tell(picture, formula);
     COMPARE_NEAR(picture.gain, 1, 0.02, "");
     COMPARE_NEAR(formula.gain, 1, 0.02, "");
     QCOMPARE_LT(picture.error, 0.03);
@@ -208,10 +212,7 @@ void FeltPicturesTest::whatIsPaintedIsFeltAsItsFormula() {
     const Soup soup = meshFor(length / vertices);
     const Stroke painted = stroked(wave, paintOf(wave, *soup), friction, speed, soup),
                  formula = stroked(wave, formulaOf(wave), friction, speed);
-    qInfo("gain %.4f, off by %.2f %%, height %.4f of %.4f mm, step %.4f of %.4f N, %d of %d stops, ratio "
-          "%.4f of %.4f",
-          painted.gain, 100 * painted.error, 1e3 * painted.height, 1e3 * formula.height, painted.largestStep,
-          formula.largestStep, painted.stops, formula.stops, painted.ratio, formula.ratio);
+    tell(painted, formula);
     COMPARE_NEAR(painted.gain, 1, 0.005, "");
     QCOMPARE_LT(painted.error, 0.02);
     COMPARE_NEAR(painted.height / formula.height, 1, 0.025, "");

@@ -42,6 +42,13 @@ Vec3 nearestOf(const TriangleSoup& soup, const Vec3& p) {
     return best;
 }
 
+/// Of the tangential to the normal part of a force, on a surface that `away` leads from.
+double ratioOf(const Vec3& force, const Vec3& away) {
+    const Vec3 n = away.normalized();
+    const double normal = force.dot(n);
+    return (force - normal * n).norm() / normal;
+}
+
 } // namespace
 
 class FrictionCurvedTest : public QObject {
@@ -92,9 +99,7 @@ void FrictionCurvedTest::aSlideStaysOnTheSurface() {
         rounds = std::max(rounds, double(rig.step(finger).rounds));
         const Vec3 nearest = nearestOf(rig.soup(), rig.position()), away = rig.position() - nearest;
         worstGap = std::max(worstGap, std::abs(away.norm() - radius));
-        const Vec3 force = rig.position() - finger, n = away.normalized();
-        const double normal = force.dot(n);
-        if (angle > 0.6) ratios.push_back((force - normal * n).norm() / normal);
+        if (angle > 0.6) ratios.push_back(ratioOf(rig.position() - finger, away));
     }
     std::ranges::sort(ratios);
     const auto part = [&](double p) { return ratios[std::size_t(p * double(ratios.size() - 1))]; };
@@ -155,10 +160,7 @@ void FrictionCurvedTest::stripsRubAsTheirCylinder() {
         if (angle < 0.3) continue;
         const Vec3 nearest = nearestOf(rig.soup(), rig.position()), away = rig.position() - nearest;
         worstGap = std::max(worstGap, std::abs(away.norm() - radius));
-        const Vec3 n = away.normalized();
-        const Vec3 force = rig.position() - finger;
-        const double normal = force.dot(n);
-        ratios.push_back((force - normal * n).norm() / normal);
+        ratios.push_back(ratioOf(rig.position() - finger, away));
         const double went = (rig.position() - before).norm();
         stops += went < 0.01 * kSpeed * kMillisecond;
         longest = std::max(longest, went);

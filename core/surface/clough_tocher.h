@@ -1,4 +1,4 @@
-// A cubic in three parts over a triangle.
+// The smooth surface over a triangle that its corners' values and slopes give.
 #pragma once
 
 #include <array>
@@ -20,9 +20,9 @@ struct Rise {
 /// corners of the part that a point lies in. Its slope does not jump between the parts, nor toward a
 /// neighbour with the same values and slopes. Slopes lie in the plane of the triangle, which must have one.
 /// Thread: real time.
-class ThreeParts {
+class CloughTocher {
 public:
-    ThreeParts(const Triangle& t, const Vec3& values, const std::array<Vec3, 3>& slopes) noexcept
+    CloughTocher(const Triangle& t, const Vec3& values, const std::array<Vec3, 3>& slopes) noexcept
         : corner_{t.a, t.b, t.c}, middle_((t.a + t.b + t.c) / 3), values_(values), slopes_(slopes) {}
 
     /// Weights of the corners: none below zero.
