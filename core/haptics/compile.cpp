@@ -225,7 +225,25 @@ Result<std::shared_ptr<World>> build(const Scene& scene, const World* previous, 
     return world;
 }
 
+// Below this many triangles slopes of what is painted take less than a frame: 5 ms.
+constexpr std::size_t kPaintedAtOnce = 20'000;
+
+bool paintTakesTime(const SceneObject& object, const World& previous) {
+    if (!object.visible || !object.geometry || object.geometry->triangles.size() < kPaintedAtOnce)
+        return false;
+    const auto body = std::ranges::find(previous.bodies, object.id, &WorldBody::object);
+    const auto known = body == previous.bodies.end() ? decltype(body->textures){} : body->textures;
+    for (std::size_t i = 0; i < object.surfaces.size(); ++i)
+        if (arePaintedAnew(object.surfaces[i].layers, *object.geometry, Index(i), known)) return true;
+    return false;
+}
+
 } // namespace
+
+bool paintTakesTime(const Scene& scene, const World& previous) {
+    return std::ranges::any_of(scene.objects,
+                               [&](const SceneObject& object) { return paintTakesTime(object, previous); });
+}
 
 Result<std::shared_ptr<const World>> compile(const Scene& scene, const World* previous,
                                              const Progress& progress) {

@@ -17,6 +17,10 @@ namespace tactum {
 Result<std::shared_ptr<const World>> compile(const Scene& scene, const World* previous = nullptr,
                                              const Progress& progress = {});
 
+/// Whether compile() takes longer than a frame although all shapes are known: something was painted on a
+/// large mesh since `previous`. Thread: any but real time.
+bool paintTakesTime(const Scene& scene, const World& previous);
+
 /// The same World with the numbers that one of an earlier run had: for replays. Two of the same run have to
 /// have the same shapeRevision exactly when they had it then. Thread: any but real time.
 Result<std::shared_ptr<const World>> compileNumbered(const Scene& scene, const WorldNumbers& numbers,

@@ -42,9 +42,7 @@ const NearestPoint& FeltPasses::at(const Vec3& centre, bool ahead) noexcept {
         return result_;
     }
     pushing_ = nearestPoint(u, felt_.all());
-    const int alone = theOnlyPlane();
-    const bool isSolved = alone >= 0 ? alongTheFeltNormal(u, alone) : alongBothNormals(u);
-    if (!isSolved) secondPass(pushing_.x);
+    if (!alongOneNormal(u) && !alongBothNormals(u)) secondPass(pushing_.x);
     return result_;
 }
 
@@ -135,15 +133,18 @@ void FeltPasses::look(std::size_t i) noexcept {
     const Triangle triangle = obstacle.triangle(contact.triangle);
     const Vec3 away = pose.rotateInverse(true_[i].normal);
     Vec3 base = away;
+    Mat3 turning = Mat3::Zero();
     if (feel->normals) {
         const ClosestPoint closest =
             looked_[i].isBeyond ? closestPoint(triangle, pose.applyInverse(centre_)) : foot_[i];
         base = shadedNormal(*feel->normals, contact.triangle, triangle, closest, away);
+        if (feel->texture && feel->texture->asksForTurning)
+            turning = shadedNormalGradient(*feel->normals, contact.triangle, triangle, closest, base);
     }
     if (!feel->texture) return add(i, pose.rotate(base));
-    const TextureFeel touch = tactum::feel(
-        *feel->texture, texturePointOn(*obstacle.mesh->soup, contact.triangle, triangle, foot_[i], base),
-        on_->smallestFeature);
+    TexturePoint point = texturePointOn(*obstacle.mesh->soup, contact.triangle, triangle, foot_[i], base);
+    point.normalGradient = turning;
+    const TextureFeel touch = tactum::feel(*feel->texture, point, on_->smallestFeature);
     material_[i] = modulated(material_[i], touch);
     FeltSlopes slopes;
     const int count = slopesOf(touch, slopes);
@@ -176,6 +177,22 @@ bool FeltPasses::isAboveAll(const Vec3& u) noexcept {
         true_.all(), [&](const ConstraintPlane& plane) { return plane.normal.dot(u) >= plane.offset; });
 }
 
+// Where one felt plane pushes alone. Where faces hardly lean from each other the finger's end is mostly over
+// another face than the proxy: there it is that one's plane.
+bool FeltPasses::alongOneNormal(const Vec3& u) noexcept {
+    const int alone = theOnlyPlane();
+    if (alone < 0) return false;
+    if (alongTheFeltNormal(u, std::size_t(alone))) return true;
+    const NearestPoint before = pushing_;
+    for (std::size_t j = 0; j < felt_.size(); ++j) {
+        if (int(j) == alone) continue;
+        pushing_.lambda[std::size_t(alone)] = 0;
+        if (alongTheFeltNormal(u, j)) return true;
+    }
+    pushing_ = before;
+    return false;
+}
+
 // The felt plane that pushes, if it is one alone.
 int FeltPasses::theOnlyPlane() const noexcept {
     if (pushing_.active == 0) return felt_.size() == 1 ? 0 : -1;
@@ -188,9 +205,9 @@ int FeltPasses::theOnlyPlane() const noexcept {
 
 // Of a single plane the end of all passes is known: from the finger along the felt normal up to the true
 // plane. False where that leads below another plane.
-bool FeltPasses::alongTheFeltNormal(const Vec3& u, int j) noexcept {
-    const std::size_t i = owner_[std::size_t(j)];
-    const Vec3& normal = felt_[std::size_t(j)].normal;
+bool FeltPasses::alongTheFeltNormal(const Vec3& u, std::size_t j) noexcept {
+    const std::size_t i = owner_[j];
+    const Vec3& normal = felt_[j].normal;
     const double depth = true_[i].offset - true_[i].normal.dot(u);
     if (!(depth > 0)) return false;
     const double length = depth / normal.dot(true_[i].normal);
@@ -199,7 +216,7 @@ bool FeltPasses::alongTheFeltNormal(const Vec3& u, int j) noexcept {
     result_.x = x;
     result_.lambda[i] = depth;
     result_.active = 1;
-    pushing_.lambda[std::size_t(j)] = length;
+    pushing_.lambda[j] = length;
     return true;
 }
 

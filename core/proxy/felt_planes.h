@@ -80,7 +80,8 @@ private:
     void add(std::size_t owner, const Vec3& normal) noexcept;
     bool isAboveAll(const Vec3& u) noexcept;
     int theOnlyPlane() const noexcept;
-    bool alongTheFeltNormal(const Vec3& u, int j) noexcept;
+    bool alongOneNormal(const Vec3& u) noexcept;
+    bool alongTheFeltNormal(const Vec3& u, std::size_t j) noexcept;
     bool alongBothNormals(const Vec3& u) noexcept;
     std::array<std::size_t, 2> bothPlanes() const noexcept;
     bool isFree(const Vec3& x) noexcept;

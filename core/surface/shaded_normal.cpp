@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/surface/texture_mapping.h"
+
 namespace tactum {
 namespace {
 
@@ -13,6 +15,14 @@ constexpr double kWidestMirror = 0.2;
 
 Vec3 turnedTo(const Vec3& side, const Vec3& normal) noexcept {
     return normal.dot(side) < 0 ? Vec3(-normal) : normal;
+}
+
+// Not of unit length.
+Vec3 interpolated(const SmoothNormals& normals, Index index, const Vec3& weights) noexcept {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 0; k < 3; ++k)
+        sum += weights[Eigen::Index(k)] * normals.corners[3 * index + k].cast<double>();
+    return sum;
 }
 
 bool isOnSeam(std::uint8_t seams, const ClosestPoint& closest) noexcept {
@@ -55,15 +65,28 @@ Vec3 leaningAtMost(const Vec3& normal, const Vec3& away) noexcept {
 
 Vec3 shadedNormal(const SmoothNormals& normals, Index index, const Triangle& triangle,
                   const ClosestPoint& closest, const Vec3& away) noexcept {
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t k = 0; k < 3; ++k)
-        sum += closest.weights[Eigen::Index(k)] * normals.corners[3 * index + k].cast<double>();
+    const Vec3 sum = interpolated(normals, index, closest.weights);
     const double length = sum.norm();
     if (!(length > kNoDirection)) return away;
-    const Vec3 interpolated = sum / length;
+    const Vec3 felt = sum / length;
     if (isOnSeam(normals.seams[index], closest))
-        return leaningAtMost(onHypotheticalSurface(interpolated, triangle, away), away);
-    return leaningAtMost(turnedTo(away, interpolated), away);
+        return leaningAtMost(onHypotheticalSurface(felt, triangle, away), away);
+    return leaningAtMost(turnedTo(away, felt), away);
+}
+
+Mat3 shadedNormalGradient(const SmoothNormals& normals, Index index, const Triangle& triangle,
+                          const ClosestPoint& closest, const Vec3& normal) noexcept {
+    const Vec3 sum = interpolated(normals, index, closest.weights);
+    const double length = sum.norm();
+    if (!(length > kNoDirection)) return Mat3::Zero();
+    const Vec3 felt = sum / length;
+    const auto corner = [&](int k) { return interpolated(normals, index, Vec3::Unit(k)); };
+    Eigen::Matrix<double, 3, 2> change; // along the edges from the first corner
+    change << corner(1) - corner(0), corner(2) - corner(0);
+    const Mat3 gradient = change * uvGradientOf(triangle, {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0),
+                                                           Eigen::Vector2d(0, 1)});
+    const Mat3 turning = (gradient - felt * (felt.transpose() * gradient)) / length;
+    return felt.dot(normal) < 0 ? Mat3(-turning) : turning;
 }
 
 } // namespace tactum

@@ -23,4 +23,9 @@ Vec3 leaningAtMost(const Vec3& normal, const Vec3& away) noexcept;
 Vec3 shadedNormal(const SmoothNormals& normals, Index index, const Triangle& triangle,
                   const ClosestPoint& closest, const Vec3& away) noexcept;
 
+/// How n' changes along the triangle: d n' / d position, 1/m, body frame; of the normal on the side of
+/// `normal`. Zero where the corners' normals are alike, and on triangles without a plane. Thread: real time.
+Mat3 shadedNormalGradient(const SmoothNormals& normals, Index index, const Triangle& triangle,
+                          const ClosestPoint& closest, const Vec3& normal) noexcept;
+
 } // namespace tactum

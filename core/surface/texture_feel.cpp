@@ -42,8 +42,8 @@ TextureField sample(const CompiledPattern& pattern, const TexturePoint& point,
         const FlatPoint& flat = points.point[i];
         if (!isPlace(flat)) return {};
         const FlatSample one = sampleFlat(pattern, flat, smallestFeature);
-        field =
-            field + points.weight[i] * TextureField{one.value, Vec3(flat.perMetre.transpose() * one.slope)};
+        field = field + TextureField{points.weight[i], points.weightGradient[i]} *
+                            TextureField{one.value, Vec3(flat.perMetre.transpose() * one.slope)};
     }
     return field;
 }

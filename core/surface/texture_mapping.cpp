@@ -77,18 +77,28 @@ void add(FlatPoints& points, const CompiledPattern& pattern, const Place& place,
 }
 
 /// The fourth power of the normal's components; a side that counts for less than 1e-4 is spared.
-void addTriplanar(FlatPoints& points, const CompiledPattern& pattern, const Framed& framed) noexcept {
+void addTriplanar(FlatPoints& points, const CompiledPattern& pattern, const Framed& framed,
+                  const Mat3& normalGradient) noexcept {
     const Vec3& n = framed.normal;
     const Vec3 powers = (n.array().square().square() - 1e-4).max(0.0);
-    for (int axis = 0; axis < 3; ++axis)
-        if (powers[axis] > 0)
-            add(points, pattern, alongAxis(framed, axis, n[axis] < 0 ? -1 : 1), powers[axis] / powers.sum());
+    const double sum = powers.sum();
+    // Of the powers and of their sum along the surface.
+    const Vec3 rates = (powers.array() > 0).select(4 * n.array().cube(), 0.0);
+    const Mat3 rise = rates.asDiagonal() * (pattern.axes * normalGradient);
+    const Eigen::RowVector3d whole = rise.colwise().sum();
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(powers[axis] > 0)) continue;
+        const double weight = powers[axis] / sum;
+        points.weightGradient[std::size_t(points.count)] = (rise.row(axis) - weight * whole) / sum;
+        add(points, pattern, alongAxis(framed, axis, n[axis] < 0 ? -1 : 1), weight);
+    }
 }
 
-void addFramed(FlatPoints& points, const CompiledPattern& pattern, const Framed& framed) noexcept {
+void addFramed(FlatPoints& points, const CompiledPattern& pattern, const Framed& framed,
+               const Mat3& normalGradient) noexcept {
     switch (pattern.mapping) {
     case TextureMapping::Triplanar:
-        addTriplanar(points, pattern, framed);
+        addTriplanar(points, pattern, framed, normalGradient);
         break;
     case TextureMapping::Cylindrical:
         add(points, pattern, aroundAxis(pattern, framed), 1);
@@ -135,7 +145,7 @@ FlatPoints flatPoints(const CompiledPattern& pattern, const TexturePoint& point)
     if (usesUvs(pattern))
         add(points, pattern, onCoordinates(pattern, point), 1);
     else
-        addFramed(points, pattern, inFrame(pattern, point));
+        addFramed(points, pattern, inFrame(pattern, point), point.normalGradient);
     return points;
 }
 

@@ -17,6 +17,8 @@ struct TexturePoint {
     Eigen::Vector2d uv = Eigen::Vector2d::Zero(); ///< the mesh's texture coordinates
     /// d uv / d position along the surface, 1/m; zero when there are no texture coordinates.
     Eigen::Matrix<double, 2, 3> uvGradient = Eigen::Matrix<double, 2, 3>::Zero();
+    /// d normal / d position along the surface, 1/m; zero where the normal is that of a facet.
+    Mat3 normalGradient = Mat3::Zero();
     Index triangle = 0;                      ///< of the mesh: what is painted asks for it
     Vec3 weights{1.0 / 3, 1.0 / 3, 1.0 / 3}; ///< of its corners at `position`; sum 1
 };
@@ -37,7 +39,8 @@ TexturePoint texturePointOn(const TriangleSoup& soup, Index index, const Triangl
 /// A pattern's places for one point of the surface: one, or up to three that are blended.
 struct FlatPoints {
     std::array<FlatPoint, 3> point;
-    std::array<double, 3> weight{}; ///< sum 1
+    std::array<double, 3> weight{};                                               ///< sum 1
+    std::array<Vec3, 3> weightGradient{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; ///< 1/m, body frame
     int count = 0;
 };
 
@@ -45,8 +48,8 @@ struct FlatPoints {
 ///
 /// On the axis of a cylinder and at the poles of a sphere the meridians meet and the gradient of the
 /// longitude grows without bound: it stops growing at kPole of the mapping's radius from there (and the band
-/// limit has faded what is that fine long before). Triplanar weights count as constant along the surface, as
-/// they are on a flat one. Thread: real time.
+/// limit has faded what is that fine long before). Triplanar weights change with the normal, as far as
+/// `normalGradient` tells. Thread: real time.
 FlatPoints flatPoints(const CompiledPattern& pattern, const TexturePoint& point) noexcept;
 
 inline constexpr double kPole = 0.01;

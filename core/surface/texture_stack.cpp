@@ -41,26 +41,43 @@ double metresPerRadian(const TexturePattern& pattern) {
 
 using Stacks = std::span<const std::shared_ptr<const TextureStack>>;
 
-/// The slopes of what is painted: those of `known` where the values are the same, else made on the ground
-/// that a stack of the same mesh and surface knows, if one does.
-std::shared_ptr<const PaintedSlopes> slopesOf(const CompiledPattern& pattern, Index surface, Stacks known) {
+using SharedValues = std::shared_ptr<const PaintedValues>;
+
+/// What stacks of the same mesh and surface know of what is painted: its slopes, if they are of the same
+/// values, and the ground that any are made on.
+struct KnownPaint {
+    std::shared_ptr<const PaintedSlopes> slopes;
     std::shared_ptr<const PaintedGround> ground;
-    std::shared_ptr<const PaintedSlopes> same;
+};
+
+KnownPaint knownPaint(const SharedValues& values, const TriangleSoup* soup, Index surface, Stacks known) {
+    KnownPaint found;
     const auto look = [&](const CompiledPattern& other) {
-        if (!other.slopes || other.soup != pattern.soup) return;
-        ground = other.slopes->ground();
-        if (other.painted == pattern.painted) same = other.slopes;
+        if (!other.slopes) return;
+        found.ground = other.slopes->ground();
+        if (other.painted == values) found.slopes = other.slopes;
     };
     for (const auto& before : known) {
-        if (!before || before->surface != surface) continue;
+        if (!before || before->surface != surface || before->soup.get() != soup) continue;
         for (const CompiledLayer& layer : before->layers) {
             look(layer.pattern);
             if (layer.mask) look(*layer.mask);
         }
     }
-    if (same) return same;
-    if (!ground) ground = std::make_shared<const PaintedGround>(pattern.soup, surface);
-    return std::make_shared<const PaintedSlopes>(*pattern.soup, std::move(ground), *pattern.painted);
+    return found;
+}
+
+std::shared_ptr<const PaintedSlopes> slopesOf(const CompiledPattern& pattern, Index surface, Stacks known) {
+    auto found = knownPaint(pattern.painted, pattern.soup.get(), surface, known);
+    if (found.slopes) return found.slopes;
+    if (!found.ground) found.ground = std::make_shared<const PaintedGround>(pattern.soup, surface);
+    return std::make_shared<const PaintedSlopes>(*pattern.soup, std::move(found.ground), *pattern.painted);
+}
+
+bool isPaintedAnew(const TexturePattern& pattern, const TriangleSoup& soup, Index surface, Stacks known) {
+    const SharedValues& values = pattern.painted.values;
+    return pattern.source == TextureSource::Painted && values && values->size() == soup.positions.size() &&
+           !knownPaint(values, &soup, surface, known).slopes;
 }
 
 /// Empty when it cannot be felt. `stack`: for its mesh.
@@ -110,6 +127,10 @@ std::optional<CompiledLayer> compiled(const TextureLayer& layer, const TextureSt
     return result;
 }
 
+bool isTriplanar(const CompiledPattern& pattern) {
+    return pattern.source != TextureSource::Painted && pattern.mapping == TextureMapping::Triplanar;
+}
+
 bool asksForUvs(const TextureLayer& layer) {
     return layer.enabled && (usesUvs(layer.pattern) || (layer.mask && usesUvs(*layer.mask)));
 }
@@ -149,8 +170,19 @@ compileTextures(const std::vector<TextureLayer>& layers, const std::shared_ptr<c
             ready && stack->layers.size() < std::size_t(kMaxTextureLayers))
             stack->layers.push_back(std::move(*ready));
     limitOwnPlanes(stack->layers);
+    stack->asksForTurning = std::ranges::any_of(stack->layers, [](const CompiledLayer& layer) {
+        return isTriplanar(layer.pattern) || (layer.mask && isTriplanar(*layer.mask));
+    });
     if (stack->layers.empty()) return nullptr;
     return stack;
+}
+
+bool arePaintedAnew(const std::vector<TextureLayer>& layers, const TriangleSoup& soup, Index surface,
+                    Stacks known) {
+    return std::ranges::any_of(layers, [&](const TextureLayer& layer) {
+        return layer.enabled && (isPaintedAnew(layer.pattern, soup, surface, known) ||
+                                 (layer.mask && isPaintedAnew(*layer.mask, soup, surface, known)));
+    });
 }
 
 double metresPerUvOf(const TriangleSoup& soup, Index surface) {

@@ -53,6 +53,7 @@ struct CompiledLayer {
 /// The layers of one surface of one mesh that can be felt, lowest first, at most kMaxTextureLayers.
 struct TextureStack {
     std::vector<CompiledLayer> layers;
+    bool asksForTurning = false; ///< some pattern is triplanar: it changes with the normal
 
     // What it was made of: to know whether it can be used again.
     std::vector<TextureLayer> source;
@@ -69,6 +70,11 @@ struct TextureStack {
 std::shared_ptr<const TextureStack>
 compileTextures(const std::vector<TextureLayer>& layers, const std::shared_ptr<const TriangleSoup>& soup,
                 Index surface, std::span<const std::shared_ptr<const TextureStack>> known = {});
+
+/// Whether compileTextures() would have to make slopes of what is painted, for all of the mesh: the stacks in
+/// `known` are of other values. Thread: any but real time.
+bool arePaintedAnew(const std::vector<TextureLayer>& layers, const TriangleSoup& soup, Index surface,
+                    std::span<const std::shared_ptr<const TextureStack>> known);
 
 /// How long one unit of the mesh's texture coordinates is on a surface, on average over its area: the square
 /// root of area by area. m; 0 without usable coordinates. Thread: any but real time.

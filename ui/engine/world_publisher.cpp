@@ -16,12 +16,8 @@ void WorldPublisher::follow(const SceneChange& change) {
     if (trial_) return; // all of it is compiled when the trial ends
     if (change.takesTime())
         compileShapes(world_);
-    else if (!change.touchesFeel())
-        return;
-    else if (job_.running())
-        materialsChanged_ = true;
-    else
-        compileMaterials();
+    else if (change.touchesFeel())
+        compileFeel();
 }
 
 void WorldPublisher::setSolo(const std::optional<SoloLayer>& solo) {
@@ -51,27 +47,37 @@ Scene WorldPublisher::felt() const {
 }
 
 void WorldPublisher::compileShapes(std::shared_ptr<const World> previous) {
-    materialsChanged_ = false;
-    // A copy of the scene is cheap: geometry is shared. The worker holds the World it reuses, too.
-    job_.start([this, scene = felt(),
-                previous = std::move(previous)](const Progress& progress) -> BackgroundJob::Delivery {
+    compileOnWorker(felt(), std::move(previous), Shapes::New);
+}
+
+/// Materials and layers: whatever comes while the worker is busy is caught up, so that a long stroke is felt
+/// while it is painted.
+void WorldPublisher::compileFeel() {
+    feelChanged_ = job_.running();
+    if (feelChanged_) return;
+    Scene scene = felt();
+    if (world_ && paintTakesTime(scene, *world_))
+        return compileOnWorker(std::move(scene), world_, Shapes::AsBefore);
+    auto compiled = compile(scene, world_.get());
+    if (!compiled) return emit failed(QString::fromStdString(compiled.error().text));
+    publish(std::move(*compiled));
+}
+
+/// A copy of the scene is cheap: geometry is shared. The worker holds the World it reuses, too.
+void WorldPublisher::compileOnWorker(Scene scene, std::shared_ptr<const World> previous, Shapes shapes) {
+    feelChanged_ = false;
+    job_.start([this, scene = std::move(scene), previous = std::move(previous),
+                shapes](const Progress& progress) -> BackgroundJob::Delivery {
         auto compiled = compile(scene, previous.get(), progress);
         if (!compiled && progress.isCancelled()) return [] {}; // a newer compilation is on its way
         if (!compiled)
             return [this, text = compiled.error().text] { emit failed(QString::fromStdString(text)); };
-        return [this, world = std::move(*compiled)] {
+        return [this, world = std::move(*compiled), shapes] {
             publish(world);
-            if (materialsChanged_) compileMaterials();
-            emit shapesPublished();
+            if (feelChanged_) compileFeel();
+            if (shapes == Shapes::New) emit shapesPublished();
         };
     });
-}
-
-void WorldPublisher::compileMaterials() {
-    materialsChanged_ = false;
-    auto compiled = compile(felt(), world_.get());
-    if (!compiled) return emit failed(QString::fromStdString(compiled.error().text));
-    publish(std::move(*compiled));
 }
 
 void WorldPublisher::publish(std::shared_ptr<const World> world) {

@@ -15,7 +15,8 @@
 namespace tactum {
 
 /// Thread: ui. A change of materials compiles at once, in microseconds, because every hierarchy is reused; a
-/// change of shapes compiles on a worker. Edits that come while it works are caught up when it is done.
+/// change of shapes, and what is painted on a large mesh, on a worker. Edits that come while it works are
+/// caught up when it is done.
 class WorldPublisher : public QObject {
     Q_OBJECT
 public:
@@ -47,7 +48,9 @@ private:
     void follow(const SceneChange& change);
     Scene felt() const;
     void compileShapes(std::shared_ptr<const World> previous);
-    void compileMaterials();
+    void compileFeel();
+    enum class Shapes { New, AsBefore };
+    void compileOnWorker(Scene scene, std::shared_ptr<const World> previous, Shapes shapes);
     void publish(std::shared_ptr<const World> world);
 
     Document& document_;
@@ -57,7 +60,7 @@ private:
     std::shared_ptr<const World> own_; ///< of the document, while something else is felt
     std::optional<SoloLayer> solo_;
     BackgroundJob job_;
-    bool materialsChanged_ = false; ///< while the worker was compiling an older copy
+    bool feelChanged_ = false; ///< while the worker was compiling an older copy
 };
 
 } // namespace tactum

@@ -7,9 +7,8 @@
 
 #include <QTest>
 
-#include "tests/core/surface/texture_rig.h"
+#include "tests/core/haptics/wave_stroke.h"
 #include "tests/support/compare.h"
-#include "tests/support/hand.h"
 #include "tests/support/repeats.h"
 #include "tests/support/slow_slide.h"
 #include "tests/support/test_program.h"
@@ -21,33 +20,9 @@ using namespace tactum::test;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kRadius = 1e-3;
 constexpr double kDepth = 3e-3;
-constexpr int kWavesInAPicture = 4;
 constexpr double kWholeUpTo = 50; ///< Hz, at 1 kHz
-
-struct Wave {
-    double length, height; ///< m; highest above lowest
-    double slopeAt(double x) const { return kPi * height / length * std::cos(2 * kPi * x / length); }
-};
-
-/// Four waves in a picture of so many texels a side.
-TextureLayer pictureOf(const Wave& wave, int texels) {
-    const Image image = imageOf(texels, texels, [](double x, double) {
-        return 0.5 + 0.5 * std::sin(2 * kPi * kWavesInAPicture * x);
-    });
-    return imageLayer(image, TextureMapping::Planar, kWavesInAPicture * wave.length, wave.height);
-}
-
-TextureLayer formulaOf(const Wave& wave) {
-    TextureLayer layer =
-        heightLayer(TextureSource::Grooves, TextureMapping::Planar, wave.length, wave.height);
-    layer.pattern.fill = 0.5;
-    layer.pattern.softness = 1;
-    layer.pattern.offsetU = 0.25 * wave.length; // a cosine becomes the sine
-    return layer;
-}
 
 std::shared_ptr<const World> worldWith(const TextureLayer& layer, const Material& material,
                                        const Soup& soup = sheet(0.5)) {
@@ -79,54 +54,18 @@ TextureLayer paintOf(const Wave& wave, const TriangleSoup& soup) {
     return layer;
 }
 
-struct Stroke {
-    double gain = 0;        ///< the felt slope by the wave's, as far as they go together
-    double error = 0;       ///< of the felt slope, root mean square, by that of the wave's
-    double height = 0;      ///< regained from the forces, m
-    double largestStep = 0; ///< N in a tick
-    int stops = 0;          ///< ticks in which the proxy hardly went on
-    double ratio = 0;       ///< of tangential to normal force, mean
-};
-
-/// What a slide along x feels over some waves. The slope is that of the force, seen from the cone of
-/// friction.
-Stroke stroked(const Wave& wave, const TextureLayer& layer, double friction, double speed,
-               const Soup& soup = sheet(0.5)) {
-    const Material material = rough(friction > 0 ? friction + 0.1 : 0, friction);
-    Hand hand(worldWith(layer, material, soup));
-    const double start = -0.1, begin = start + 4 * wave.length + 4 * kDepth, height = kRadius - kDepth;
-    hand.to({start, 0, 3e-3});
-    hand.go({start, 0, height}, 0.05);
-    hand.go({begin, 0, height}, speed);
-    Stroke stroke;
-    double off = 0, both = 0, whole = 0, rise = 0, lowest = 0, highest = 0;
-    int count = 0;
-    double lastX = hand.output().proxy.x(), lastForce = hand.output().force.x();
-    hand.go({begin + std::max(4 * wave.length, 40 * speed * kMillisecond), 0, height}, speed,
-            [&](const Hand& h) {
-                const double x = h.output().proxy.x(), force = h.output().force.x();
-                const double ratio = -force / h.output().force.z();
-                const double felt = (ratio - friction) / (1 + ratio * friction), slope = wave.slopeAt(x);
-                off += (felt - slope) * (felt - slope), both += felt * slope, whole += slope * slope;
-                rise += felt * (x - lastX);
-                lowest = std::min(lowest, rise), highest = std::max(highest, rise);
-                stroke.largestStep = std::max(stroke.largestStep, std::abs(force - lastForce));
-                stroke.stops += x - lastX < 0.01 * speed * kMillisecond;
-                stroke.ratio += ratio, ++count;
-                lastX = x, lastForce = force;
-            });
-    stroke.gain = both / whole;
-    stroke.error = std::sqrt(off / whole);
-    stroke.height = highest - lowest;
-    stroke.ratio /= count;
-    return stroke;
-}
-
-void tell(const Stroke& felt, const Stroke& formula) {
-    qInfo("gain %.4f, off by %.2f %%, height %.4f of %.4f mm, step %.4f of %.4f N, %d of %d stops, ratio "
-          "%.4f of %.4f",
-          felt.gain, 100 * felt.error, 1e3 * felt.height, 1e3 * formula.height, felt.largestStep,
-          formula.largestStep, felt.stops, formula.stops, felt.ratio, formula.ratio);
+/// What a slide along x feels over some waves.
+WaveStroke stroked(const Wave& wave, const TextureLayer& layer, double friction, double speed,
+                   const Soup& soup = sheet(0.5)) {
+    const double from = -0.1, told = from + 4 * wave.length + 4 * kDepth;
+    return test::stroked(flatCourse(soup), {layer}, friction,
+                         {.radius = kRadius,
+                          .depth = kDepth,
+                          .speed = speed,
+                          .from = from,
+                          .to = told + std::max(4 * wave.length, 40 * speed * kMillisecond),
+                          .told = told},
+                         [&](const StrokeTick& tick) { return wave.slopeAt(tick.x); });
 }
 
 } // namespace
@@ -170,8 +109,8 @@ void FeltPicturesTest::aPictureIsFeltAsItsFormula() {
     QFETCH(double, friction);
     QFETCH(int, texels);
     const Wave wave{length, height};
-    const Stroke picture = stroked(wave, pictureOf(wave, texels), friction, speed),
-                 formula = stroked(wave, formulaOf(wave), friction, speed);
+    const WaveStroke picture = stroked(wave, pictureOf(wave, texels), friction, speed),
+                     formula = stroked(wave, formulaOf(wave), friction, speed);
     tell(picture, formula);
     COMPARE_NEAR(picture.gain, 1, 0.02, "");
     COMPARE_NEAR(formula.gain, 1, 0.02, "");
@@ -210,8 +149,8 @@ void FeltPicturesTest::whatIsPaintedIsFeltAsItsFormula() {
     QFETCH(int, vertices);
     const Wave wave{length, height};
     const Soup soup = meshFor(length / vertices);
-    const Stroke painted = stroked(wave, paintOf(wave, *soup), friction, speed, soup),
-                 formula = stroked(wave, formulaOf(wave), friction, speed);
+    const WaveStroke painted = stroked(wave, paintOf(wave, *soup), friction, speed, soup),
+                     formula = stroked(wave, formulaOf(wave), friction, speed);
     tell(painted, formula);
     COMPARE_NEAR(painted.gain, 1, 0.005, "");
     QCOMPARE_LT(painted.error, 0.02);
