@@ -24,6 +24,17 @@ constexpr double kFarthest = 2;
 constexpr double kOvershoot = 0.02;
 constexpr int kSearches = 8;
 
+// Beside a face its normals go on as they change over it, which is how the next face mostly has them: as far
+// as the face is large.
+ClosestPoint noFartherThanItself(ClosestPoint foot) noexcept {
+    constexpr double kMiddle = 1.0 / 3, kFarthestWeight = -1;
+    const double least = foot.weights.minCoeff();
+    if (least >= kFarthestWeight) return foot;
+    const Vec3 middle = Vec3::Constant(kMiddle);
+    foot.weights = middle + (kFarthestWeight - kMiddle) / (least - kMiddle) * (foot.weights - middle);
+    return foot;
+}
+
 } // namespace
 
 const NearestPoint& FeltPasses::at(const Vec3& centre, bool ahead) noexcept {
@@ -135,11 +146,10 @@ void FeltPasses::look(std::size_t i) noexcept {
     Vec3 base = away;
     Mat3 turning = Mat3::Zero();
     if (feel->normals) {
-        const ClosestPoint closest =
-            looked_[i].isBeyond ? closestPoint(triangle, pose.applyInverse(centre_)) : foot_[i];
-        base = shadedNormal(*feel->normals, contact.triangle, triangle, closest, away);
+        const ClosestPoint nearby = noFartherThanItself(foot_[i]);
+        base = shadedNormal(*feel->normals, contact.triangle, triangle, nearby, away);
         if (feel->texture && feel->texture->asksForTurning)
-            turning = shadedNormalGradient(*feel->normals, contact.triangle, triangle, closest, base);
+            turning = shadedNormalGradient(*feel->normals, contact.triangle, triangle, nearby, base);
     }
     if (!feel->texture) return add(i, pose.rotate(base));
     TexturePoint point = texturePointOn(*obstacle.mesh->soup, contact.triangle, triangle, foot_[i], base);

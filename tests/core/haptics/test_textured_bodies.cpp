@@ -61,6 +61,7 @@ struct Body {
     double side; ///< 1: felt from outside
     double turn; ///< from a facet to the next, rad
     bool shaded;
+    double wobble = 0; ///< how far normals between its corners' are off, rad
 };
 constexpr double kTurn = 2 * kPi / 360, kFineTurn = 2 * kPi / 3600;
 const Body kBodies[] = {{"a fine rod", fineRod, 1, kFineTurn, false},
@@ -69,7 +70,7 @@ const Body kBodies[] = {{"a fine rod", fineRod, 1, kFineTurn, false},
                         {"a fine shaded rod", fineRod, 1, kFineTurn, true},
                         {"a shaded pipe", rod, -1, kTurn, true},
                         {"a fine shaded pipe", fineRod, -1, kFineTurn, true},
-                        {"a shaded ball", turnedBall, 1, 2 * kTurn, true}};
+                        {"a shaded ball", turnedBall, 1, 2 * kTurn, true, 1.6e-3}};
 constexpr int kBall = 6;
 
 enum class Source { Formula, Picture, Painted };
@@ -159,8 +160,8 @@ double idealStep(const SlopeAt& slopeAt, double friction, const StrokeSettings& 
 double stepOfFacets(const Body& body, double friction, const StrokeSettings& how) {
     constexpr double kSteepest = kPi * kWave.height / kWave.length;
     const double jump = body.side < 0 ? how.radius * body.turn : 0;
-    const double change =
-        (body.shaded ? 0 : body.turn) + jump * (kSteepest * 2 * kPi / kWave.length + 1 / kBodyRadius);
+    const double change = body.wobble + (body.shaded ? 0 : body.turn) +
+                          jump * (kSteepest * 2 * kPi / kWave.length + 1 / kBodyRadius);
     const double jams = 1 - kSteepest * friction;
     return kStiffness.initial * how.depth * change * (1 + friction * friction) / (jams * jams);
 }
@@ -173,6 +174,8 @@ class TexturedBodiesTest : public QObject {
 private slots:
     void aWaveAroundABodyIsFelt_data();
     void aWaveAroundABodyIsFelt();
+    void aShadedBodyIsFeltRound_data();
+    void aShadedBodyIsFeltRound();
 };
 
 void TexturedBodiesTest::aWaveAroundABodyIsFelt_data() {
@@ -208,7 +211,7 @@ void TexturedBodiesTest::aWaveAroundABodyIsFelt_data() {
     }
 }
 
-// Measured:
+// Measured: gain within 0.1 %, error 0.94 %.
 void TexturedBodiesTest::aWaveAroundABodyIsFelt() {
     QFETCH(int, body);
     QFETCH(int, motion);
@@ -238,11 +241,43 @@ void TexturedBodiesTest::aWaveAroundABodyIsFelt() {
     });
     const double largestStep = idealStep(slopeAt, friction, how, on.side);
     tell(felt, {.largestStep = largestStep});
-    COMPARE_NEAR(felt.gain, 1, 0.01, "");
-    QCOMPARE_LT(felt.error, 0.02);
+    COMPARE_NEAR(felt.gain, 1, 0.002, "");
+    QCOMPARE_LT(felt.error, 0.01);
     QCOMPARE_LT(felt.largestStep,
                 ((source == Source::Painted ? 3 : 1.2) * largestStep + stepOfFacets(on, friction, how)));
     QCOMPARE(felt.stops, 0);
+}
+
+void TexturedBodiesTest::aShadedBodyIsFeltRound_data() {
+    QTest::addColumn<int>("body");
+    QTest::addColumn<double>("speed");
+    QTest::addColumn<double>("friction");
+    for (int body = 0; body < int(std::size(kBodies)); ++body)
+        for (const double speed : {0.01, 0.05, 0.15})
+            for (const double friction : {0.3, 0.8})
+                if (kBodies[body].shaded)
+                    QTest::addRow("%s, %g m/s, mu %g", kBodies[body].name, speed, friction)
+                        << body << speed << friction;
+}
+
+// Nothing of its facets is left: one force of friction, without steps.
+void TexturedBodiesTest::aShadedBodyIsFeltRound() {
+    QFETCH(int, body);
+    QFETCH(double, speed);
+    QFETCH(double, friction);
+    const Body& on = kBodies[body];
+    Course course = roundCourse(on.make(), kBodyRadius, on.side);
+    course.shading.on = true;
+    course.shading.normals = NormalSource::Computed;
+    const StrokeSettings how{.speed = speed, .from = -0.02, .to = 0.05, .told = 0.01};
+    double worst = 0, largestStep = 0;
+    strokeAlong(course, {}, rough(friction, friction), how, [&](const StrokeTick& tick) {
+        worst = std::max(worst, std::abs(tick.ratio() / friction - 1));
+        largestStep = std::max(largestStep, std::abs(tick.step));
+    });
+    qInfo("ratio %.3f %% off at most, steps of %.4f N", 100 * worst, largestStep);
+    QCOMPARE_LT(worst, (0.002 + on.wobble * (1 + friction * friction) / friction));
+    QCOMPARE_LT(largestStep, (0.003 + on.wobble * kStiffness.initial * how.depth));
 }
 
 TACTUM_TEST(TexturedBodiesTest)
