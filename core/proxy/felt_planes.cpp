@@ -21,7 +21,7 @@ constexpr double kHovering = 4 * kSkin;
 constexpr double kCrossing = 1e-4;
 constexpr double kFarthest = 2;
 // A slide is good whose end wishes no more than this part of it back.
-constexpr double kOvershoot = 0.02;
+constexpr double kOvershoot = 0.001;
 constexpr int kSearches = 8;
 
 // Beside a face its normals go on as they change over it, which is how the next face mostly has them: as far

@@ -63,8 +63,6 @@ private:
     void countStillSteps() noexcept;
     bool refreshContacts(bool known = false) noexcept;
     void forgetInactive() noexcept;
-    void leaveSharedEdges() noexcept;
-    bool liesOn(const Contact& edge, const Contact& face) const noexcept;
     void finish() noexcept;
 
     // step_friction.cpp

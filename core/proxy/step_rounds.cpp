@@ -166,7 +166,6 @@ bool Step::round() noexcept {
         timeLeft_ *= 1 - part;
         if (!meet(body, hit.triangle)) return false;
         foresee(body, hit, 0);
-        if (felt_) leaveSharedEdges();
         return true;
     }
     if (planesTurned && hit.soonCount > 0) {
@@ -174,7 +173,6 @@ bool Step::round() noexcept {
         const bool alone = state_.contactCount == 0;
         if (alone) meet(soonBody_, hit.soon[0]);
         if (had > 1 || felt_) foresee(soonBody_, hit, alone ? 1 : 0);
-        if (felt_) leaveSharedEdges();
     }
     // Whatever is met from here on in this step has no time left to be slid on against viscosity.
     if (takesTime) timeLeft_ = 0;
@@ -248,25 +246,6 @@ bool Step::refreshContacts(bool known) noexcept {
     }
     state_.contactCount = kept;
     return changed;
-}
-
-// Where the proxy is above a face, an edge of that face is farther from it: it slid from a neighbour over the
-// edge that they share. Such an edge is not felt.
-void Step::leaveSharedEdges() noexcept {
-    const auto all = contacts();
-    const auto isOfFace = [&](const Contact& edge) {
-        return edge.bend > 0 && std::ranges::any_of(all, [&](const Contact& face) {
-                   return face.bend == 0 && face.body == edge.body && face.triangle != edge.triangle &&
-                          liesOn(edge, face);
-               });
-    };
-    state_.contactCount = int(std::remove_if(all.begin(), all.end(), isOfFace) - all.begin());
-}
-
-bool Step::liesOn(const Contact& edge, const Contact& face) const noexcept {
-    const Obstacle& obstacle = obstacles_[edge.body];
-    const Vec3 point = poseNow(obstacle, movers_).applyInverse(edge.point);
-    return (closestPoint(obstacle.triangle(face.triangle), point).point - point).norm() <= rest_;
 }
 
 // After a real move, planes that did not push are found again by the sweep if they matter.
