@@ -44,7 +44,10 @@ const NearestPoint& FeltPasses::at(const Vec3& centre, bool ahead) noexcept {
     for (std::size_t i = 0; i < on_->contacts.size(); ++i)
         touching = std::max(touching, locate(i, ahead));
     for (std::size_t i = 0; i < on_->contacts.size(); ++i)
-        if (true_[i].offset >= touching - kHovering * on_->radius) look(i);
+        if (true_[i].offset >= touching - kHovering * on_->radius)
+            look(i);
+        else
+            rub(i);
     const Vec3 u = on_->finger - centre;
     result_ = {};
     if (isAboveAll(u)) {
@@ -160,6 +163,18 @@ void FeltPasses::look(std::size_t i) noexcept {
     const int count = slopesOf(touch, slopes);
     for (int k = 0; k < count; ++k)
         add(i, pose.rotate(leaningAtMost(bumpedNormal(base, slopes[std::size_t(k)]), away)));
+}
+
+// What is hovered over has no felt plane, but pass 2 may push there: it rubs as its layers say.
+void FeltPasses::rub(std::size_t i) noexcept {
+    const Contact& contact = on_->contacts[i];
+    const Obstacle& obstacle = on_->obstacles[contact.body];
+    const SurfaceFeel* feel = feelOf(obstacle, contact.triangle);
+    if (!feel || !feel->texture) return;
+    const Vec3 away = poseNow(obstacle, on_->movers).rotateInverse(true_[i].normal);
+    const TexturePoint point = texturePointOn(*obstacle.mesh->soup, contact.triangle,
+                                              obstacle.triangle(contact.triangle), foot_[i], away);
+    material_[i] = modulated(material_[i], tactum::feel(*feel->texture, point, on_->smallestFeature));
 }
 
 // Of a contact: the felt normal that pushes, if it is one alone.

@@ -76,6 +76,7 @@ private:
     void settle(ProxyState& state) const noexcept;
     double locate(std::size_t i, bool ahead) noexcept;
     void look(std::size_t i) noexcept;
+    void rub(std::size_t i) noexcept;
     std::optional<Vec3> feltAlone(std::size_t i) const noexcept;
     void add(std::size_t owner, const Vec3& normal) noexcept;
     bool isAboveAll(const Vec3& u) noexcept;

@@ -99,6 +99,7 @@ private:
     SweepHit sweep(const Vec3& motion, std::uint32_t& body) noexcept;
     void sweepOne(std::uint32_t i, const Vec3& motion, SweepHit& first, std::uint32_t& body) noexcept;
     bool looksNear(const Obstacle& obstacle) const noexcept;
+    void takeSoon(std::uint32_t i, const SweepHit& hit, const Vec3& end_B, SweepHit& first) noexcept;
     void goTo(const Vec3& place) noexcept;
     bool isFeltFrom(const Contact& contact, const Vec3& place_W) noexcept;
     bool isStillFelt(const Contact& contact) noexcept;
@@ -133,8 +134,10 @@ private:
     bool guessed_ = false;                  ///< this round went along a curve
     bool felt_ = false;                     ///< some contact of this round is shaded or textured
     bool smooth_ = false;                   ///< no contact of this round rubs or is felt
+    bool onTheEdge_ = false;                ///< of the cone of friction, where it was asked last
     int pushing_ = 0;                       ///< how many planes hold the proxy in this round
     std::uint32_t soonBody_ = 0;            ///< of the triangle that the last sweep ended near
+    double soonGap_ = 0;                    ///< from there, m
 };
 
 } // namespace tactum

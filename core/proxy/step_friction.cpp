@@ -4,6 +4,14 @@
 
 namespace tactum {
 
+namespace {
+
+// On the edge of the dynamic cone the proxy still slips, though it waits: for a finger whose places come in
+// steps of an encoder, or before a crease. Inside of it by so much the finger has come back.
+constexpr double kWellInside = 0.8;
+
+} // namespace
+
 // Against viscosity coming to rest takes its time.
 double Step::lag() const noexcept {
     double most = 0;
@@ -39,11 +47,14 @@ double Step::frictionAllows(const Vec3& way, double excess) noexcept {
 
 bool Step::isHeld(const Pushes& pushing, const Vec3& way, double excess) noexcept {
     bool held = false;
+    onTheEdge_ = true;
     for (std::size_t i = 0; i < pushing.size(); ++i) {
         const Contact& contact = contacts()[i];
         if (contact.lambda <= 0) continue;
         const FrictionLimit limit = frictionLimit(contact.material, contact.slipping);
-        held |= excess <= limit.coefficient * depthOnSlope(pushing.all(), i, limit.coefficient, way);
+        const double bound = limit.coefficient * depthOnSlope(pushing.all(), i, limit.coefficient, way);
+        held |= excess <= bound;
+        if (excess <= kWellInside * bound) onTheEdge_ = false;
     }
     return held;
 }

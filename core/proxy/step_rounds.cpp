@@ -11,6 +11,9 @@ namespace {
 // The speed that textures are filtered for falls by this factor a step at most: bumps slow the proxy down for
 // a moment, which shall not let finer ones through.
 constexpr double kSpeedDecay = 0.9;
+// What waits on the edge of its cone sticks when that speed, m/s, has fallen so low: after 50 steps from a
+// fast stroke, 30 from a slow one.
+constexpr double kSticksBelow = 5e-4;
 constexpr double kSamePlane = 1e-12;
 // So many rounds may pass until one is nearer than where a curved step began: its own, and those that come
 // down from there.
@@ -255,14 +258,15 @@ void Step::forgetInactive() noexcept {
     state_.contactCount = int(std::remove_if(all.begin(), all.end(), idle) - all.begin());
 }
 
-// A contact sticks again when its motion has died out within a step.
+// A contact sticks again where the finger has come back into the cone, or when the motion has died out.
 void Step::finish() noexcept {
-    const bool still = (state_.position - start_).norm() <= rest_;
+    const double moved = (state_.position - start_).norm();
+    state_.speed = std::max(moved / dt_, kSpeedDecay * state_.speed);
+    const bool sticks = moved <= rest_ && (!onTheEdge_ || state_.speed <= kSticksBelow);
     for (Contact& contact : contacts())
-        if (still) contact.slipping = false;
-    if (still || state_.contactCount == 0) state_.slidingOn = kNoBody;
+        if (sticks) contact.slipping = false;
+    if (sticks || state_.contactCount == 0) state_.slidingOn = kNoBody;
     state_.finger = finger_;
-    state_.speed = std::max((state_.position - start_).norm() / dt_, kSpeedDecay * state_.speed);
 }
 
 } // namespace tactum

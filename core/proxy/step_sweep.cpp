@@ -59,11 +59,20 @@ void Step::sweepOne(std::uint32_t i, const Vec3& motion, SweepHit& first, std::u
     if (hit.t < first.t || (hit.t == first.t && hit.t <= 1 && i < body)) {
         first = hit;
         body = i;
-    } else if (hit.soonCount > 0 && body == kNoBody && (first.soonCount == 0 || i > soonBody_)) {
-        first.soon = hit.soon;
-        first.soonCount = hit.soonCount;
-        soonBody_ = i;
+    } else if (hit.soonCount > 0 && body == kNoBody) {
+        takeSoon(i, hit, path.from + path.motion, first);
     }
+}
+
+// Of several bodies the one whose face is the nearest to where the move ends, in whichever order they come.
+void Step::takeSoon(std::uint32_t i, const SweepHit& hit, const Vec3& end_B, SweepHit& first) noexcept {
+    const Vec3 nearest = closestPoint(obstacles_[i].triangle(hit.soon[0]), end_B).point;
+    const double gap = (nearest - end_B).norm();
+    if (first.soonCount > 0 && (gap > soonGap_ || (gap == soonGap_ && i > soonBody_))) return;
+    first.soon = hit.soon;
+    first.soonCount = hit.soonCount;
+    soonBody_ = i;
+    soonGap_ = gap;
 }
 
 // All motion of the rounds, but the way back to the nearest place.

@@ -38,7 +38,8 @@ bool isOnSeam(std::uint8_t seams, const ClosestPoint& closest) noexcept {
 
 // The hypothetical surface has the normal n' at the boundary. A facet that continued it would lie mirrored at
 // n', so up to that one's normal the boundary is felt as n'; from there on n' gives way to the true normal,
-// which stands alone at the tip, where upper and lower side meet.
+// which stands alone as much farther as twice the angle by which n' leans from the facet, or at the tip,
+// where upper and lower side meet. What does not lean is felt as it is.
 Vec3 onHypotheticalSurface(const Vec3& interpolated, const Triangle& triangle, const Vec3& away) noexcept {
     const Vec3 plane = (triangle.b - triangle.a).cross(triangle.c - triangle.a);
     const double area = plane.norm();
@@ -48,7 +49,10 @@ Vec3 onHypotheticalSurface(const Vec3& interpolated, const Triangle& triangle, c
     const Vec3 outward = away - height * face;
     const double lean = std::max(0.0, felt.dot(outward) / std::max(outward.norm(), kNoDirection));
     const double mirrored = std::max(1 - 2 * lean * lean, kWidestMirror);
-    const double share = std::clamp((mirrored - height) / mirrored, 0.0, 1.0);
+    const double tilt = std::acos(std::min(felt.dot(face), 1.0));
+    const double ends = std::max(std::cos(std::acos(mirrored) + 2 * tilt), 0.0);
+    if (height >= mirrored) return felt;
+    const double share = std::min((mirrored - height) / std::max(mirrored - ends, kNoDirection), 1.0);
     return ((1 - share) * felt + share * away).normalized();
 }
 

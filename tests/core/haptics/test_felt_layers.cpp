@@ -67,6 +67,8 @@ private slots:
     void joinedHeightsAreFelt();
     void aLayerScalesFriction_data();
     void aLayerScalesFriction();
+    void whatALayerTakesAwayStaysAway_data();
+    void whatALayerTakesAwayStaysAway();
     void aLayerScalesViscosity();
     void aLayerScalesStiffness();
 };
@@ -146,6 +148,48 @@ void FeltLayersTest::aLayerScalesFriction() {
                 });
     qInfo("%.3f %% off at most", 100 * worst);
     QCOMPARE_LT(worst, 0.01);
+}
+
+void FeltLayersTest::whatALayerTakesAwayStaysAway_data() {
+    QTest::addColumn<bool>("shaded");
+    QTest::addColumn<double>("speed");
+    for (const bool shaded : {false, true})
+        for (const double speed : {0.05, 0.15})
+            QTest::addRow("%s, %g m/s", shaded ? "shaded" : "plain", speed) << shaded << speed;
+}
+
+// Around the inside of a pipe a slide comes to faces that it does not touch yet: they rub as the layer says.
+void FeltLayersTest::whatALayerTakesAwayStaysAway() {
+    QFETCH(bool, shaded);
+    QFETCH(double, speed);
+    constexpr double kBody = 0.03, kFriction = 0.8, kFactor = 0.5;
+    // Halves that overlap in strength: the value is the same at every vertex, so nothing changes along it.
+    Course course = roundCourse(pipe(kBody, 0.05, 600), kBody, -1);
+    const auto upright = std::make_shared<TriangleSoup>(*course.soup); // a pipe along y
+    for (Vec3& p : upright->positions)
+        p = Vec3(p.z(), p.x(), p.y());
+    course.soup = upright;
+    course.shading.on = shaded;
+    course.shading.normals = NormalSource::Computed;
+    std::vector<TextureLayer> layers;
+    for (const auto target : {TextureTarget::StaticFriction, TextureTarget::DynamicFriction}) {
+        TextureLayer layer = scaling(target, kFactor - 1);
+        layer.pattern.source = TextureSource::Painted;
+        layer.pattern.painted = {
+            std::make_shared<const PaintedValues>(std::vector<float>(course.soup->positions.size(), 1.0F))};
+        layers.push_back(std::move(layer));
+    }
+    double worst = 0;
+    int stops = 0;
+    strokeAlong(course, layers, rough(kFriction, kFriction),
+                {.radius = 2e-3, .speed = speed, .from = -0.02, .to = 0.02, .told = -0.005},
+                [&](const StrokeTick& tick) {
+                    worst = std::max(worst, std::abs(tick.ratio() / (kFactor * kFriction) - 1));
+                    stops += tick.way < 0.01 * speed * kMillisecond;
+                });
+    qInfo("%.2f %% off at most, %d stops", 100 * worst, stops);
+    QCOMPARE(stops, 0);
+    QCOMPARE_LT(worst, 0.05);
 }
 
 // The force of friction, and that of viscosity at the proxy's speed.

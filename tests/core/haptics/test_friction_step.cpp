@@ -60,6 +60,8 @@ private slots:
     void slidesAtDynamicFrictionAndViscosity();
     void reversalSwingsTwice();
     void sticksAgainAtRest();
+    void sticksOnTheWayBack();
+    void aFingerInStepsSlidesOn();
     void slopeHoldsUpToItsAngle();
     void closedPathsGiveNoEnergy();
     void steadySlideDoesNotBuzz_data();
@@ -148,15 +150,46 @@ void FrictionStepTest::reversalSwingsTwice() {
 // A slide that comes to rest is held by static friction again, on the same face and the other way round.
 void FrictionStepTest::sticksAgainAtRest() {
     Hand hand = pressed(sheet(0.05), rough(0.6, 0.3));
+    const auto rest = [&] {
+        for (int i = 0; i < 60; ++i)
+            hand.to(hand.finger());
+    };
     hand.go(hand.finger() + Vec3(0.003, 0, 0), kFine);
     QVERIFY(slips(hand));
-    hand.to(hand.finger());
+    rest();
     QVERIFY(!slips(hand));
     for (double sign : {1.0, -1.0}) {
         const double peak = breakAway(hand, Vec3(sign, 0, 0));
         COMPARE_NEAR(peak, 0.6, kPart * 0.6, "");
-        hand.to(hand.finger());
+        rest();
     }
+}
+
+// On the way back it is well inside of the cone, and holds at once.
+void FrictionStepTest::sticksOnTheWayBack() {
+    Hand hand = pressed(sheet(0.05), rough(0.6, 0.3));
+    hand.go(hand.finger() + Vec3(0.003, 0, 0), kFine);
+    QVERIFY(slips(hand));
+    COMPARE_NEAR(breakAway(hand, Vec3(-1, 0, 0)), 0.6, kPart * 0.6, "");
+}
+
+// An encoder tells the same place for some ticks and then the next: that is no rest, and what slides slides
+// on.
+void FrictionStepTest::aFingerInStepsSlidesOn() {
+    for (const double count : {1e-6, 10e-6, 50e-6})
+        for (const double speed : {0.005, 0.02, 0.1}) {
+            Hand hand = pressed(sheet(0.05), rough(0.6, 0.3));
+            const Vec3 from = hand.finger();
+            double least = 1, most = 0;
+            for (double way = 0; way < 0.01; way += speed * kMillisecond) {
+                hand.to(from + count * std::round(way / count) * Vec3::UnitX());
+                if (way < 0.004) continue; // it has let go
+                const double ratio = -hand.output().force.x() / hand.output().force.z();
+                least = std::min(least, ratio), most = std::max(most, ratio);
+            }
+            COMPARE_NEAR(least, 0.3, kPart * 0.3, "");
+            COMPARE_NEAR(most, 0.3, kPart * 0.3, "");
+        }
 }
 
 void FrictionStepTest::slopeHoldsUpToItsAngle() {

@@ -176,6 +176,7 @@ private slots:
     void aWaveAroundABodyIsFelt();
     void aShadedBodyIsFeltRound_data();
     void aShadedBodyIsFeltRound();
+    void theOrderOfObjectsIsNotFelt();
 };
 
 void TexturedBodiesTest::aWaveAroundABodyIsFelt_data() {
@@ -278,6 +279,43 @@ void TexturedBodiesTest::aShadedBodyIsFeltRound() {
     qInfo("ratio %.3f %% off at most, steps of %.4f N", 100 * worst, largestStep);
     QCOMPARE_LT(worst, (0.002 + on.wobble * (1 + friction * friction) / friction));
     QCOMPARE_LT(largestStep, (0.003 + on.wobble * kStiffness.initial * how.depth));
+}
+
+// A rod in two halves, the other one the first or the second of the scene: the faces that a slide comes to
+// next are those that are near.
+void TexturedBodiesTest::theOrderOfObjectsIsNotFelt() {
+    constexpr double kFriction[] = {0.2, 0.05};
+    std::vector<Vec3> forces[2];
+    for (const int first : {0, 1}) {
+        Scene scene;
+        scene.proxyRadius = 2e-3;
+        for (const int which : {first, 1 - first}) { // below and above y = 0
+            auto half = std::make_shared<TriangleSoup>(*tubeOf(900));
+            const auto isThere = [&](const std::array<Index, 3>& t) {
+                double y = 0;
+                for (const Index corner : t)
+                    y += half->positions[corner].y();
+                return (y > 0) == (which == 1);
+            };
+            std::erase_if(half->triangles, [&](const auto& t) { return !isThere(t); });
+            half->surfaceOf.resize(half->triangles.size());
+            half->cornerUvs.clear();
+            SceneObject object = bodyOf(half, rough(kFriction[which], kFriction[which]));
+            object.surfaces[0].shading.on = true;
+            object.surfaces[0].shading.normals = NormalSource::Computed;
+            scene.add(std::move(object));
+        }
+        Hand hand(compile(scene).value());
+        for (double x = -0.01; x < 0.01; x += 5e-5) {
+            const double angle = x / kBodyRadius, deep = kBodyRadius + scene.proxyRadius - 1e-3;
+            hand.to(Vec3(deep * std::cos(angle), deep * std::sin(angle), 0.3 * x) +
+                    (x < -0.0099 ? Vec3(3e-3, 0, 0) : Vec3::Zero()));
+            forces[first].push_back(hand.output().force);
+        }
+    }
+    QCOMPARE(forces[0].size(), forces[1].size());
+    for (std::size_t i = 0; i < forces[0].size(); ++i)
+        QCOMPARE_LT((forces[0][i] - forces[1][i]).norm(), 2e-3);
 }
 
 TACTUM_TEST(TexturedBodiesTest)

@@ -56,6 +56,7 @@ private slots:
     void goesAroundAFreeEdgeWithoutAJump();
     void goesAroundACornerWithoutAJump();
     void aMirroredNeighbourIsExpectedAtASeam();
+    void aFlatFacetIsFeltAsItIs();
     void seamsAreFoundWhereNormalsPart();
     void nothingLeansTooFar();
 };
@@ -152,6 +153,19 @@ void ShadedNormalTest::aMirroredNeighbourIsExpectedAtASeam() {
         const Vec3 centre(1e-3 * std::sin(angle), 0, 1e-3 * std::cos(angle));
         QCOMPARE_LT(degrees(feltAt(*normals, 0, centre), n), 1e-3);
         QCOMPARE_LT(degrees(feltAt(*normals, 1, centre + gap), n), 1e-3);
+    }
+}
+
+// Beyond the crease angle the corners have the normal of their facet: nothing is to be rounded.
+void ShadedNormalTest::aFlatFacetIsFeltAsItIs() {
+    SoupBuilder builder;
+    builder.triangle({0, -0.01, 0}, {0, 0.01, 0}, {-0.02, 0, 0});
+    const Vec3 n = Vec3::UnitZ();
+    const auto normals = normalsOf(shaded(builder.build(), {n, n, n}));
+    for (double angle = -0.4; angle < 1.5; angle += 0.01) {
+        const Vec3 out(std::sin(angle), 0, std::cos(angle)), foot(angle < 0 ? -0.002 : 0, 0.001, 0);
+        const Vec3 right = angle < 0 ? n : out;
+        QCOMPARE_LT(degrees(feltAt(*normals, 0, foot + 1e-3 * right), right), 1e-4);
     }
 }
 
