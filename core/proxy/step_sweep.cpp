@@ -66,8 +66,10 @@ void Step::sweepOne(std::uint32_t i, const Vec3& motion, SweepHit& first, std::u
 
 // Of several bodies the one whose face is the nearest to where the move ends, in whichever order they come.
 void Step::takeSoon(std::uint32_t i, const SweepHit& hit, const Vec3& end_B, SweepHit& first) noexcept {
-    const Vec3 nearest = closestPoint(obstacles_[i].triangle(hit.soon[0]), end_B).point;
-    const double gap = (nearest - end_B).norm();
+    const auto far = [&] {
+        return (closestPoint(obstacles_[i].triangle(hit.soon[0]), end_B).point - end_B).norm();
+    };
+    const double gap = obstacles_.size() > 1 ? far() : 0;
     if (first.soonCount > 0 && (gap > soonGap_ || (gap == soonGap_ && i > soonBody_))) return;
     first.soon = hit.soon;
     first.soonCount = hit.soonCount;

@@ -7,6 +7,7 @@
 // is where something without mass stops.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -35,18 +36,28 @@ public:
             return Place::Zero();
         }
         Place last = Place::Zero(); // a way that turns back has passed its end by less than a stride
+        const Place from = *at_;
         for (Place way = wayToGo(finger, depth); way.squaredNorm() > 0 && way.dot(last) >= 0;
              way = wayToGo(finger, depth)) {
             *at_ += way;
             last = way;
             slips_ = true;
         }
-        if (last.isZero()) slips_ = false;
+        lately_ = std::max((*at_ - from).norm(), kDecay * lately_);
+        if (last.isZero() && (isWellInside(finger, depth) || lately_ <= kRest)) slips_ = false;
         return *at_ - finger;
     }
     const Place& at() const { return *at_; }
 
 private:
+    // docs/physics/friction.md: what waits on the edge of its cone slips on until it has rested for a while.
+    static constexpr double kDecay = 0.9, kRest = 0.5e-6; ///< m, in a tick of a millisecond
+    static constexpr double kWellInside = 0.8;
+
+    bool isWellInside(const Place& finger, double depth) const {
+        const Place slope = slope_(*at_), wish = finger - depth * slope - *at_;
+        return wish.norm() <= kWellInside * heldOf(slope, depth, wish.normalized());
+    }
     /// The next stride; zero where friction holds.
     Place wayToGo(const Place& finger, double depth) const {
         const Place slope = slope_(*at_), wish = finger - depth * slope - *at_;
@@ -74,6 +85,7 @@ private:
     std::function<Material(const Place&)> material_;
     std::optional<Place> at_;
     bool slips_ = false;
+    double lately_ = 0; ///< how far it went in a tick, m
 };
 
 } // namespace tactum::test
