@@ -236,7 +236,7 @@ private slots:
         QVERIFY2(interposer::hits() == 0, interposer::firstHit().c_str());
         QCOMPARE_GT(touching, steps * 3 / 10);
         QCOMPARE_GT(slipping, steps / 100);
-        QCOMPARE_GT(riding, steps / 100); // on the body that moves
+        QCOMPARE_GT(riding, steps / 100);                          // on the body that moves
         if (test::isLong()) QCOMPARE_GT(squeezed, steps / 10'000); // once in a hundred thousand steps or not
     }
 

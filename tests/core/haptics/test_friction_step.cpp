@@ -172,9 +172,8 @@ void FrictionStepTest::sticksOnTheWayBack() {
     hand.go(hand.finger() + Vec3(0.01, 0, 0), kFast);
     QVERIFY(slips(hand));
     double peak = 0; // within one tick's way of where it lets go
-    hand.go(hand.finger() - Vec3(0.01, 0, 0), kFast, [&](const Hand& h) {
-        peak = std::max(peak, h.output().force.x() / h.output().force.z());
-    });
+    hand.go(hand.finger() - Vec3(0.01, 0, 0), kFast,
+            [&](const Hand& h) { peak = std::max(peak, h.output().force.x() / h.output().force.z()); });
     const double oneTick = kFast * kMillisecond / kDepth;
     QCOMPARE_LE(peak, 0.6);
     QCOMPARE_GE(peak, (0.6 - oneTick));
