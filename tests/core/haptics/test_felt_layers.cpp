@@ -163,7 +163,7 @@ void FeltLayersTest::whatALayerTakesAwayStaysAway() {
     QFETCH(bool, shaded);
     QFETCH(double, speed);
     constexpr double kBody = 0.03, kFriction = 0.8, kFactor = 0.5;
-    // Halves that overlap in strength: the value is the same at every vertex, so nothing changes along it.
+    // The same at every vertex: nothing changes along the way.
     Course course = roundCourse(pipe(kBody, 0.05, 600), kBody, -1);
     const auto upright = std::make_shared<TriangleSoup>(*course.soup); // a pipe along y
     for (Vec3& p : upright->positions)
