@@ -70,6 +70,7 @@ private:
     bool rubs() noexcept;
     double frictionAllows(const Vec3& way, double excess) noexcept;
     bool isHeld(const Pushes& pushing, const Vec3& way, double excess) noexcept;
+    bool sticksAtRest() const noexcept;
     Pushes pushes() noexcept;
     std::optional<Vec3> feltAlone(const Contact& contact) noexcept;
     bool isViscous() noexcept;

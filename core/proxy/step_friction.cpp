@@ -9,6 +9,9 @@ namespace {
 // On the edge of the dynamic cone the proxy still slips, though it waits: for a finger whose places come in
 // steps of an encoder, or before a crease. Inside of it by so much the finger has come back.
 constexpr double kWellInside = 0.8;
+// On the edge it sticks when the speed of its last move, m/s, has decayed to this: after 50 steps from a fast
+// stroke, 30 from a slow one.
+constexpr double kSticksBelow = 5e-4;
 
 } // namespace
 
@@ -57,6 +60,12 @@ bool Step::isHeld(const Pushes& pushing, const Vec3& way, double excess) noexcep
         if (excess <= kWellInside * bound) onTheEdge_ = false;
     }
     return held;
+}
+
+// Of what did not move in this step: whether the finger has come back into the cone, or the motion has died
+// out.
+bool Step::sticksAtRest() const noexcept {
+    return !onTheEdge_ || state_.speed <= kSticksBelow;
 }
 
 // All contacts, in their order; none where nothing rubs.

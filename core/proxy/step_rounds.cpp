@@ -11,9 +11,6 @@ namespace {
 // The speed that textures are filtered for falls by this factor a step at most: bumps slow the proxy down for
 // a moment, which shall not let finer ones through.
 constexpr double kSpeedDecay = 0.9;
-// What waits on the edge of its cone sticks when that speed, m/s, has fallen so low: after 50 steps from a
-// fast stroke, 30 from a slow one.
-constexpr double kSticksBelow = 5e-4;
 constexpr double kSamePlane = 1e-12;
 // So many rounds may pass until one is nearer than where a curved step began: its own, and those that come
 // down from there.
@@ -258,14 +255,13 @@ void Step::forgetInactive() noexcept {
     state_.contactCount = int(std::remove_if(all.begin(), all.end(), idle) - all.begin());
 }
 
-// A contact sticks again where the finger has come back into the cone, or when the motion has died out.
 void Step::finish() noexcept {
     const double moved = (state_.position - start_).norm();
     state_.speed = std::max(moved / dt_, kSpeedDecay * state_.speed);
-    const bool sticks = moved <= rest_ && (!onTheEdge_ || state_.speed <= kSticksBelow);
+    const bool stuck = moved <= rest_ && sticksAtRest();
     for (Contact& contact : contacts())
-        if (sticks) contact.slipping = false;
-    if (sticks || state_.contactCount == 0) state_.slidingOn = kNoBody;
+        if (stuck) contact.slipping = false;
+    if (stuck || state_.contactCount == 0) state_.slidingOn = kNoBody;
     state_.finger = finger_;
 }
 
