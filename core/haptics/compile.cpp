@@ -225,8 +225,8 @@ Result<std::shared_ptr<World>> build(const Scene& scene, const World* previous, 
     return world;
 }
 
-// Below this many triangles slopes of what is painted take less than a frame: 5 ms.
-constexpr std::size_t kPaintedAtOnce = 20'000;
+// Below this many triangles what is painted all over is made smooth within a part of a frame: 5 ms.
+constexpr std::size_t kPaintedAtOnce = 4'000;
 
 bool paintTakesTime(const SceneObject& object, const World& previous) {
     if (!object.visible || !object.geometry || object.geometry->triangles.size() < kPaintedAtOnce)

@@ -105,7 +105,8 @@ private:
     bool isFeltFrom(const Contact& contact, const Vec3& place_W) noexcept;
     bool isStillFelt(const Contact& contact) noexcept;
     bool meet(std::uint32_t body, Index triangle) noexcept;
-    void foresee(std::uint32_t body, const SweepHit& hit, int begin) noexcept;
+    void foresee(std::uint32_t body, const SweepHit& hit) noexcept;
+    void takeOver() noexcept;
     void locate(Contact& contact) noexcept;
 
     ProxyState& state_;

@@ -165,14 +165,14 @@ bool Step::round() noexcept {
     if (body != kNoBody) {
         timeLeft_ *= 1 - part;
         if (!meet(body, hit.triangle)) return false;
-        foresee(body, hit, 0);
+        foresee(body, hit);
         return true;
     }
     if (planesTurned && hit.soonCount > 0) {
         const int had = pushing_;
         const bool alone = state_.contactCount == 0;
-        if (alone) meet(soonBody_, hit.soon[0]);
-        if (had > 1 || felt_) foresee(soonBody_, hit, alone ? 1 : 0);
+        if (had > 1 || felt_) foresee(soonBody_, hit);
+        if (alone && state_.contactCount == 0) meet(soonBody_, hit.soon[0]);
     }
     // Whatever is met from here on in this step has no time left to be slid on against viscosity.
     if (takesTime) timeLeft_ = 0;

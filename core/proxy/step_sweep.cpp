@@ -15,6 +15,8 @@ namespace {
 // With friction a face that was not foreseen would hold the proxy before it is slid on.
 constexpr double kLookNear = 1e-3, kLookFar = 1e-2;
 constexpr int kNearSighted = 10;
+// Past its edge by less than this part of the radius a face still counts as touched (kKeep).
+constexpr double kSamePlace = 2e-3;
 
 /// Of one surface that is felt as it is and that nothing sticks to. Of several nobody looks.
 bool isPlain(const Obstacle& obstacle) noexcept {
@@ -116,12 +118,30 @@ bool Step::meet(std::uint32_t body, Index triangle) noexcept {
 // Faces that the proxy is about to touch hold it in the next round already, instead of costing one each.
 // The half-space above any plane is free of its primitive; but an edge's plane would stop a slide toward
 // a flat neighbour.
-void Step::foresee(std::uint32_t body, const SweepHit& hit, int begin) noexcept {
-    for (int i = begin; i < hit.soonCount; ++i) {
+void Step::foresee(std::uint32_t body, const SweepHit& hit) noexcept {
+    for (int i = 0; i < hit.soonCount; ++i) {
         if (!meet(body, hit.soon[std::size_t(i)])) return;
-        const Contact& contact = state_.contacts[state_.contactCount - 1];
-        if (contact.bend > 0 || contact.gap > kHover * radius_) --state_.contactCount;
+        const Contact& contact = state_.contacts[std::size_t(state_.contactCount - 1)];
+        if (contact.bend > 0 || contact.gap > kHover * radius_)
+            --state_.contactCount;
+        else if (felt_)
+            takeOver();
     }
+}
+
+// Where the proxy has slid onto the face that was met last, what it slid from touches it with an edge at the
+// same place: the face alone is what it slides on from there.
+void Step::takeOver() noexcept {
+    Contact& face = state_.contacts[std::size_t(--state_.contactCount)];
+    const auto others = contacts();
+    const auto isLeft = [&](const Contact& c) {
+        return c.body == face.body && c.bend > 0 && (c.point - face.point).norm() <= kSamePlace * radius_;
+    };
+    for (const Contact& contact : others)
+        if (isLeft(contact)) face.lambda = std::max(face.lambda, contact.lambda);
+    const Contact kept = face;
+    state_.contactCount = int(std::remove_if(others.begin(), others.end(), isLeft) - others.begin());
+    state_.contacts[std::size_t(state_.contactCount++)] = kept;
 }
 
 void Step::locate(Contact& contact) noexcept {

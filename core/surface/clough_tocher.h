@@ -22,8 +22,10 @@ struct Rise {
 /// Thread: real time.
 class CloughTocher {
 public:
-    CloughTocher(const Triangle& t, const Vec3& values, const std::array<Vec3, 3>& slopes) noexcept
-        : corner_{t.a, t.b, t.c}, middle_((t.a + t.b + t.c) / 3), values_(values), slopes_(slopes) {}
+    CloughTocher(const Triangle& t, const Vec3& values, const std::array<Vec3, 3>& slopes,
+                 const std::array<float, 3>& bulge) noexcept
+        : corner_{t.a, t.b, t.c}, middle_((t.a + t.b + t.c) / 3), values_(values), slopes_(slopes),
+          bulge_(bulge) {}
 
     /// Weights of the corners: none below zero.
     Rise at(const Vec3& weights) const noexcept {
@@ -59,7 +61,7 @@ private:
         const double ij = toward(i, j), ji = toward(j, i);
         const double first = toMiddle(i) - (1 - t) * values_[i] - t * ij,
                      last = toMiddle(j) - (1 - t) * ji - t * values_[j];
-        return 0.5 * (first + last) + (1 - t) * ij + t * ji;
+        return 0.5 * (first + last) + (1 - t) * ij + t * ji + double(bulge_[std::size_t(i)]);
     }
 
     static double quadratic(double u, double v, double w, double uu, double vv, double ww, double uv,
@@ -79,6 +81,7 @@ private:
     std::array<Vec3, 3> corner_;
     Vec3 middle_, values_;
     const std::array<Vec3, 3>& slopes_;
+    const std::array<float, 3>& bulge_;
 };
 
 } // namespace tactum

@@ -28,7 +28,7 @@ Rise onTriangle(const CompiledPattern& pattern, Index index, const Triangle& tri
                 const Vec3& weights) noexcept {
     const Vec3 values = valuesAt(pattern, index);
     const std::array<Vec3, 3> slopes = paintedSlopes(pattern, index);
-    const Rise rise = CloughTocher(triangle, values, slopes).at(weights);
+    const Rise rise = CloughTocher(triangle, values, slopes, pattern.slopes->bulge(index)).at(weights);
     return rise.slope.allFinite() ? rise : Rise{weights.dot(values), linearSlope(triangle, values)};
 }
 
@@ -42,6 +42,14 @@ Rise onSurface(const CompiledPattern& pattern, const TexturePoint& point) noexce
     rise.value += rise.slope.dot(beside[0] * t.a + beside[1] * t.b + beside[2] * t.c);
     rise.slope = place.turnedBack(rise.slope);
     return rise;
+}
+
+/// Beside a hard edge the cubic would leave 0 to 1: more and more slowly, so that the slope does not jump.
+Rise keptNearRange(const Rise& rise) noexcept {
+    constexpr double kFarthest = 0.01;
+    const double end = std::clamp(rise.value, 0.0, 1.0), beyond = rise.value - end,
+                 slower = 1 / (1 + std::abs(beyond) / kFarthest);
+    return {end + slower * beyond, slower * slower * rise.slope};
 }
 
 } // namespace
@@ -64,10 +72,8 @@ TextureField samplePainted(const CompiledPattern& pattern, const TexturePoint& p
     const Rise rise = hasPlane ? onSurface(pattern, point)
                                : onSegment(triangle, valuesAt(pattern, point.triangle), point.weights,
                                            corners[1] == corners[2]);
-    // It rises no more where it is cut off, but for where something linear begins or ends.
-    constexpr double kCut = 1e-9;
-    if (rise.value < -kCut || rise.value > 1 + kCut) return {std::clamp(rise.value, 0.0, 1.0), Vec3::Zero()};
-    return {std::clamp(rise.value, 0.0, 1.0), rise.slope - rise.slope.dot(point.normal) * point.normal};
+    const Rise kept = keptNearRange(rise);
+    return {kept.value, kept.slope - kept.slope.dot(point.normal) * point.normal};
 }
 
 } // namespace tactum

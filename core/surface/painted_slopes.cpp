@@ -1,39 +1,41 @@
 #include "core/surface/painted_slopes.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "core/base/parallel.h"
 #include "core/base/realtime.h"
-#include "core/geometry/face_graph.h"
-#include "core/geometry/weld.h"
+#include "core/surface/painted_fit.h"
 
 namespace tactum {
 
 namespace {
 
-// Normals whose cosine is lower share no plane.
-constexpr double kLeastCommon = -0.8;
-
-bool shareAPlane(const Vec3& one, const Vec3& other) noexcept {
-    return one.dot(other) > kLeastCommon && other.squaredNorm() > 0.5;
-}
-
-// What lies across the unit vector `from`, turned by the shortest way so that it lies across `to`.
-Vec3 turned(const Vec3& v, const Vec3& from, const Vec3& to) noexcept {
-    return v - to.dot(v) / (1 + from.dot(to)) * (from + to);
-}
-
-Vec3 acrossOf(const Triangle& t) noexcept {
-    return (t.b - t.a).cross(t.c - t.a);
-}
-
-// Calls see(corners, triangle, its edges' product) for those of a surface that have a plane.
-template <class See> void eachWithAPlane(const TriangleSoup& soup, Index surface, See&& see) {
-    for (Index i = 0; i < soup.triangles.size(); ++i) {
-        if (soup.surfaceOf[i] != surface) continue;
-        const Triangle t = cornersOf(soup, i);
-        const Vec3 across = acrossOf(t);
-        if (across.squaredNorm() > 0) see(soup.triangles[i], t, across);
+// The slope across a side is quadratic along it where what is painted is cubic: its middle differs from the
+// mean of the ends by an eighth of what the bend does.
+std::array<float, 3> bulgeOf(const TriangleSoup& soup, const PaintedGround& ground,
+                             const std::vector<Mat3>& bend, Index triangle) {
+    const auto& corner = soup.triangles[triangle];
+    if (std::ranges::all_of(corner, [&](Index i) { return bend[ground.place[i]].isZero(0); })) return {};
+    const Triangle t = cornersOf(soup, triangle);
+    const std::array<Vec3, 3> at{t.a, t.b, t.c};
+    const Vec3 across = acrossOf(t).normalized(), middle = (t.a + t.b + t.c) / 3;
+    std::array<float, 3> bulge{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        const Vec3 edge = at[j] - at[i], up = middle - at[i];
+        const Vec3 inward = up - up.dot(edge) / edge.squaredNorm() * edge;
+        const auto bendAt = [&](std::size_t k) {
+            const Index place = ground.place[corner[k]];
+            const Vec3 normal = ground.normal[place].cast<double>();
+            if (!shareAPlane(across, normal)) return 0.0;
+            return turned(edge, across, normal).dot(bend[place] * turned(inward, across, normal));
+        };
+        const double higher = (bendAt(i) - bendAt(j)) / 12;
+        bulge[i] = std::isfinite(higher) ? float(higher) : 0.0F;
     }
+    return bulge;
 }
 
 } // namespace
@@ -45,46 +47,25 @@ Vec3 linearSlope(const Triangle& t, const Vec3& values) noexcept {
     return slope.allFinite() ? slope : Vec3::Zero();
 }
 
-PaintedGround::PaintedGround(const std::shared_ptr<const TriangleSoup>& soup, Index ofSurface)
-    : surface(ofSurface), place(weldMap(soup->positions)), normal(soup->positions.size()),
-      across(soup->triangles.size(), {kNothing, kNothing, kNothing}) {
-    assertNotRealtime();
-    std::vector<Vec3> sums(normal.size(), Vec3::Zero());
-    eachWithAPlane(*soup, surface, [&](const auto& corners, const Triangle&, const Vec3& product) {
-        for (const Index corner : corners)
-            sums[place[corner]] += product;
-    });
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        normal[i] = sums[i].stableNormalized().cast<float>();
-    const auto graph = FaceGraph::build(soup); // fails only when it is cancelled
-    for (Index i = 0; graph && i < soup->triangles.size(); ++i)
-        for (int side = 0; side < 3; ++side) {
-            const FaceGraph::Edge edge = graph->edgeOf(i, side);
-            if (edge != FaceGraph::Edge::Joint && edge != FaceGraph::Edge::Flipped) continue;
-            const Index other = graph->neighbour(i, side);
-            if (soup->surfaceOf[other] == surface) across[i][std::size_t(side)] = other;
-        }
-}
-
 PaintedSlopes::PaintedSlopes(const TriangleSoup& soup, std::shared_ptr<const PaintedGround> ground,
                              const PaintedValues& values)
-    : ground_(std::move(ground)), rise_(soup.positions.size(), Eigen::Vector3f::Zero()) {
+    : ground_(std::move(ground)), rise_(soup.positions.size(), Eigen::Vector3f::Zero()),
+      bulge_(soup.triangles.size()) {
     assertNotRealtime();
-    std::vector<Vec3> sums(rise_.size(), Vec3::Zero());
-    std::vector<double> areas(rise_.size());
-    eachWithAPlane(soup, ground_->surface, [&](const auto& corners, const Triangle& t, const Vec3& across) {
-        const Vec3 slope = linearSlope(t, {values[corners[0]], values[corners[1]], values[corners[2]]});
-        const double area = across.norm();
-        for (const Index corner : corners) {
-            const Index place = ground_->place[corner];
-            const Vec3 normal = ground_->normal[place].template cast<double>();
-            if (!shareAPlane(across / area, normal)) continue;
-            sums[place] += area * turned(slope, across / area, normal);
-            areas[place] += area;
+    std::vector<Mat3> bend(rise_.size(), Mat3::Zero());
+    parallelFor(rise_.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+        PaintedFitter fitter(soup, *ground_, values);
+        for (std::size_t i = begin; i < end; ++i) {
+            if (ground_->around(Index(i)).empty()) continue;
+            const PaintedFit fit = fitter.at(Index(i));
+            rise_[i] = fit.rise.cast<float>();
+            bend[i] = fit.bend;
         }
     });
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        if (areas[i] > 0) rise_[i] = (sums[i] / areas[i]).cast<float>();
+    parallelFor(bulge_.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            bulge_[i] = bulgeOf(soup, *ground_, bend, Index(i));
+    });
 }
 
 Vec3 PaintedSlopes::at(Index position, const Vec3& normal, const Vec3& otherwise) const noexcept {

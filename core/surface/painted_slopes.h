@@ -6,27 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "core/geometry/triangle.h"
-#include "core/geometry/triangle_soup.h"
+#include "core/surface/painted_ground.h"
 #include "core/surface/painted_values.h"
 
 namespace tactum {
-
-/// What slopes on one surface of a mesh need to know of its shape, whatever is painted there.
-struct PaintedGround {
-    static constexpr Index kNothing = ~Index(0);
-
-    /// Thread: any but real time. As long as FaceGraph takes: 0.4 s for a million triangles.
-    PaintedGround(const std::shared_ptr<const TriangleSoup>& soup, Index surface);
-
-    Index surface;
-    std::vector<Index> place; ///< of each position the first one that lies where it does
-    /// At each place, of the triangles around it, weighted by their area; zero where they have none.
-    std::vector<Eigen::Vector3f> normal;
-    /// Of each triangle the one over the edge from corner i to the next; kNothing where there is none, or
-    /// more than one, or one of another surface.
-    std::vector<std::array<Index, 3>> across;
-};
 
 /// At each place of a mesh the mean slope of the surface's triangles around it, weighted by their area.
 /// Shared through a shared_ptr to const.
@@ -41,18 +24,17 @@ public:
     /// real time.
     Vec3 at(Index position, const Vec3& normal, const Vec3& otherwise) const noexcept;
 
+    /// By how much the middle of each side of a triangle is higher than if the slope across the side were
+    /// linear along it, as CloughTocher takes it. Thread: real time.
+    const std::array<float, 3>& bulge(Index triangle) const noexcept { return bulge_[triangle]; }
+
     const std::shared_ptr<const PaintedGround>& ground() const noexcept { return ground_; }
 
 private:
     std::shared_ptr<const PaintedGround> ground_;
     std::vector<Eigen::Vector3f> rise_; ///< at each place, across its normal
+    std::vector<std::array<float, 3>> bulge_;
 };
-
-/// The corners of a triangle of a mesh. Thread: real time.
-inline Triangle cornersOf(const TriangleSoup& soup, Index triangle) noexcept {
-    const auto& corner = soup.triangles[triangle];
-    return {soup.positions[corner[0]], soup.positions[corner[1]], soup.positions[corner[2]]};
-}
 
 /// Of the function that is linear on a triangle and has these values at its corners: body frame, 1/m, in the
 /// triangle's plane. Zero for segments, points and slivers without a plane. Thread: real time.

@@ -245,7 +245,7 @@ void TexturedBodiesTest::aWaveAroundABodyIsFelt() {
     COMPARE_NEAR(felt.gain, 1, 0.002, "");
     QCOMPARE_LT(felt.error, 0.01);
     QCOMPARE_LT(felt.largestStep,
-                ((source == Source::Painted ? 3 : 1.2) * largestStep + stepOfFacets(on, friction, how)));
+                ((source == Source::Painted ? 2.2 : 1.2) * largestStep + stepOfFacets(on, friction, how)));
     QCOMPARE(felt.stops, 0);
 }
 
