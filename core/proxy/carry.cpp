@@ -41,9 +41,10 @@ public:
         letGoOfJumps();
         ride_ = strongestHold();
         report_.start = state_.position;
-        if (ride_) {
-            report_.start = ride_->carried(state_.position);
-            state_.finger = ride_->carried(state_.finger);
+        // How fast a texture passes is seen from the body, whether or not that takes the proxy along.
+        if (const auto seenFrom = ride_ ? ride_ : strongestPush()) {
+            report_.start = seenFrom->carried(state_.position);
+            state_.finger = seenFrom->carried(state_.finger);
         }
         const int pieces = look();
         if (pieces == 0) followSides(state_.position);
@@ -99,8 +100,20 @@ private:
                 contact.lambda > 0 ? limit.coefficient * contact.lambda + limit.lag * kHandSpeed : 0;
             if (hold > most) most = hold, best = &contact;
         }
-        if (!best || !moves(best->body)) return std::nullopt;
-        return movers_.of(obstacles_[best->body].mover);
+        return motionUnder(best);
+    }
+
+    // Of what the proxy is pressed against the most. On a body at rest: none.
+    std::optional<BodyMotion> strongestPush() noexcept {
+        const Contact* best = nullptr;
+        for (const Contact& contact : contacts())
+            if (contact.lambda > (best ? best->lambda : 0)) best = &contact;
+        return motionUnder(best);
+    }
+
+    std::optional<BodyMotion> motionUnder(const Contact* contact) const noexcept {
+        if (!contact || !moves(contact->body)) return std::nullopt;
+        return movers_.of(obstacles_[contact->body].mover);
     }
 
     // Which bodies can reach the proxy, and into how many pieces that cuts the step.

@@ -203,18 +203,21 @@ bool FeltPasses::isAboveAll(const Vec3& u) noexcept {
 }
 
 // Where one felt plane pushes alone. Where faces hardly lean from each other the finger's end is mostly over
-// another face than the proxy: there it is that one's plane.
+// another face than the proxy: there it is that one's plane, with what is felt of it, or where that is not
+// known yet with what is felt here.
 bool FeltPasses::alongOneNormal(const Vec3& u) noexcept {
-    const int alone = theOnlyPlane();
-    if (alone < 0) return false;
-    if (alongTheFeltNormal(u, std::size_t(alone))) return true;
+    if (theOnlyPlane() < 0) return false;
+    const auto alone = std::size_t(theOnlyPlane()), owner = std::size_t(owner_[alone]);
+    if (alongTheFeltNormal(u, alone, owner)) return true;
     const NearestPoint before = pushing_;
     for (std::size_t j = 0; j < felt_.size(); ++j) {
-        if (int(j) == alone) continue;
-        pushing_.lambda[std::size_t(alone)] = 0;
-        if (alongTheFeltNormal(u, j)) return true;
+        if (j == alone) continue;
+        pushing_.lambda[alone] = 0;
+        if (alongTheFeltNormal(u, j, owner_[j])) return true;
     }
     pushing_ = before;
+    for (std::size_t i = 0; i < true_.size(); ++i)
+        if (i != owner && alongTheFeltNormal(u, alone, i)) return true;
     return false;
 }
 
@@ -228,18 +231,17 @@ int FeltPasses::theOnlyPlane() const noexcept {
     return which;
 }
 
-// Of a single plane the end of all passes is known: from the finger along the felt normal up to the true
-// plane. False where that leads below another plane.
-bool FeltPasses::alongTheFeltNormal(const Vec3& u, std::size_t j) noexcept {
-    const std::size_t i = owner_[j];
+// Of a single plane the end of all passes is known: from the finger along the felt normal j up to the true
+// plane i. False where that leads below another plane.
+bool FeltPasses::alongTheFeltNormal(const Vec3& u, std::size_t j, std::size_t i) noexcept {
     const Vec3& normal = felt_[j].normal;
-    const double depth = true_[i].offset - true_[i].normal.dot(u);
-    if (!(depth > 0)) return false;
-    const double length = depth / normal.dot(true_[i].normal);
+    const double depth = true_[i].offset - true_[i].normal.dot(u), lean = normal.dot(true_[i].normal);
+    if (!(depth > 0 && lean > 0)) return false;
+    const double length = depth / lean;
     const Vec3 x = u + length * normal;
     if (!isFree(x)) return false;
     result_.x = x;
-    result_.lambda[i] = depth;
+    result_.lambda[owner_[j]] = length * normal.dot(true_[owner_[j]].normal);
     result_.active = 1;
     pushing_.lambda[j] = length;
     return true;
@@ -343,15 +345,17 @@ NearestPoint FeltPasses::update(ProxyState& state, const FeltContacts& on) noexc
 }
 
 double FeltPasses::reach(const ProxyState& state, const FeltContacts& on, const Vec3& drop, const Vec3& slide,
-                         double hold, double settled, bool mayExtend) noexcept {
+                         const Hold& hold, double settled, bool mayExtend) noexcept {
     on_ = &on;
     const double atStart = slide.norm();
     const Vec3 way = slide / atStart;
-    const double heldAtStart = hold > 0 ? held(way) : 0; // the update looked there
+    const bool looks = hold.back > 0;
+    const double heldAtStart = looks ? held(way) : 0; // the update looked there
     double before = 0, wishBefore = atStart;
     const auto wishAfter = [&](double part) {
         double wish = at(state.position + (drop + part * slide), true).x.dot(way);
-        if (hold > 0) wish -= hold + held(way) - heldAtStart;
+        if (looks) wish -= hold.back + held(way) - heldAtStart;
+        if (looks) wish += (1 - hold.followed) * ((1 - part) * atStart - wish);
         const double secant = (part - before) * atStart / (wishBefore - wish);
         leads_ = secant > 0 ? std::min(secant, kFarthest) : 1;
         before = part, wishBefore = wish;
@@ -361,7 +365,7 @@ double FeltPasses::reach(const ProxyState& state, const FeltContacts& on, const 
     // What rubs does not come back from where it went too far: there nobody goes without a look, nor where
     // one sees less friction because the face that is touched ends.
     const auto isOnFace = [](const Contact& contact) { return contact.bend == 0; };
-    const bool looks = hold > 0, goesOn = !looks || std::ranges::all_of(on.contacts, isOnFace);
+    const bool goesOn = !looks || std::ranges::all_of(on.contacts, isOnFace);
     if (mayExtend && goesOn && atHigh > settled && atHigh < atLow) {
         const double farther = std::min(atLow / (atLow - atHigh), kFarthest);
         if (!looks) return farther;

@@ -43,13 +43,19 @@ public:
     /// planes that push. Two minimisations and one sample of the texture for each contact.
     NearestPoint update(ProxyState& state, const FeltContacts& on) noexcept;
 
+    /// What friction does to a slide.
+    struct Hold {
+        double back = 0;     ///< what it holds back of the wish at the beginning, m
+        double followed = 1; ///< how much of what changes on the way it lets the slide follow: followedPart()
+    };
+
     /// How much of `slide` leads on, after `drop`, of what update() just wished: the felt normal, the depth
     /// and the friction change on the way, and beyond the place where the wish turns back, or where friction
-    /// holds what is left of it, the proxy would swing to and fro. `hold`: what friction holds back of the
-    /// wish at the beginning, m. `settled`: nothing is looked for that is shorter than this, m. At most 1, or
-    /// 2 with `mayExtend`, where the wish is seen to reach farther. At most ten updates.
+    /// holds what is left of it, the proxy would swing to and fro. `settled`: nothing is looked for that is
+    /// shorter than this, m. At most 1, or 2 with `mayExtend`, where the wish is seen to reach farther. At
+    /// most ten updates.
     double reach(const ProxyState& state, const FeltContacts& on, const Vec3& drop, const Vec3& slide,
-                 double hold, double settled, bool mayExtend) noexcept;
+                 const Hold& hold, double settled, bool mayExtend) noexcept;
 
     /// Where the proxy would come to rest from `place`, relative to it: nothing where that is farther than
     /// `most`, or not known without another look.
@@ -82,7 +88,7 @@ private:
     bool isAboveAll(const Vec3& u) noexcept;
     int theOnlyPlane() const noexcept;
     bool alongOneNormal(const Vec3& u) noexcept;
-    bool alongTheFeltNormal(const Vec3& u, std::size_t j) noexcept;
+    bool alongTheFeltNormal(const Vec3& u, std::size_t j, std::size_t i) noexcept;
     bool alongBothNormals(const Vec3& u) noexcept;
     std::array<std::size_t, 2> bothPlanes() const noexcept;
     bool isFree(const Vec3& x) noexcept;

@@ -70,6 +70,9 @@ private:
     bool rubs() noexcept;
     double frictionAllows(const Vec3& way, double excess) noexcept;
     bool isHeld(const Pushes& pushing, const Vec3& way, double excess) noexcept;
+    Vec3 towardTheCone(const Vec3& drop, const Vec3& along, double part) noexcept;
+    static double heldBack(const Vec3& along, const Vec3& slide) noexcept;
+    Vec3 leanOfTheFelt() noexcept;
     bool sticksAtRest() const noexcept;
     Pushes pushes() noexcept;
     std::optional<Vec3> feltAlone(const Contact& contact) noexcept;
@@ -78,10 +81,11 @@ private:
     // step_felt.cpp
     FeltContacts feltContacts() noexcept;
     NearestPoint updateFelt() noexcept;
-    Vec3 alongFelt(const Vec3& drop, Vec3 slide, double hold, bool mayExtend) noexcept;
+    Vec3 alongFelt(const Vec3& drop, Vec3 slide, double back, bool mayExtend) noexcept;
     bool addKnownRest(Vec3& motion) noexcept;
     double settled() const noexcept;
     Vec3 seat() noexcept;
+    Vec3 seatOnFelt() noexcept;
     bool isSeated() noexcept;
     bool hovers() noexcept;
     double settlingStride() const noexcept;

@@ -10,10 +10,12 @@ namespace {
 constexpr double kSettled = 1e-4;
 // A stride on a felt surface that need not turn back may be so much longer next time.
 constexpr double kStrideGrowth = 1.2;
-// A finger that holds still for so many steps feels the proxy come to rest, each step with half the stride.
-constexpr int kSettling = 8;
 // A push is made so many times harder at most to lead down onto its plane.
 constexpr double kMaxPush = 1e3;
+// A way down that leads less far than this part of it is blocked.
+constexpr double kBlocked = 0.5;
+// A finger that holds still for so many steps feels the proxy come to rest, each step with half the stride.
+constexpr int kSettling = 8;
 // Where a viscous slide has to die out first, so many of its lags later, but no more steps than that.
 constexpr double kLags = 20, kMaxLag = 1e5;
 
@@ -36,14 +38,16 @@ NearestPoint Step::updateFelt() noexcept {
 
 // Down onto the surfaces, and along them as far as the felt normal, which changes on the way, still leads
 // on. Between where the drop and where the wish end no plane is crossed.
-Vec3 Step::alongFelt(const Vec3& drop, Vec3 slide, double hold, bool mayExtend) noexcept {
+Vec3 Step::alongFelt(const Vec3& drop, Vec3 slide, double back, bool mayExtend) noexcept {
     if (slide.norm() <= rest_) return drop;
     // The last round's slide is too short for the felt normal to change on it.
     const bool isLast = slide.norm() <= settled();
+    const FeltPasses::Hold hold{back, followedPart(lag(), timeLeft_)};
     const double reach =
         isLast ? 1 : passes_->reach(state_, feltContacts(), drop, slide, hold, settled(), mayExtend);
     if (reach <= 1 || isAllowed(drop + reach * slide)) slide *= reach;
-    if (slide.dot(lastSlide_) < 0) state_.stride = 0.5 * lastSlide_.norm();
+    // What is left over of a slide says nothing of how far to turn back.
+    if (slide.dot(lastSlide_) < 0 && lastSlide_.norm() > settled()) state_.stride = 0.5 * lastSlide_.norm();
     const double most = std::min(state_.stride, settlingStride());
     if (const double length = slide.norm(); length > most) slide *= most / length;
     state_.stride *= kStrideGrowth;
@@ -91,6 +95,19 @@ bool Step::hovers() noexcept {
     return std::ranges::any_of(contacts(), [this](const Contact& contact) {
         return contact.lambda > 0 && contact.gap > kKeep * kSkin * radius_;
     });
+}
+
+// The same where something is felt otherwise: down onto the nearest of what pushes. What else pushes lies
+// ahead, in a fold perhaps, and its multiplier is that of a slide that gets there; only friction may allow
+// that. So it may where something else that is touched is in the way.
+Vec3 Step::seatOnFelt() noexcept {
+    const Contact* nearest = nullptr;
+    for (const Contact& contact : contacts())
+        if (contact.lambda > 0 && (!nearest || contact.gap < nearest->gap)) nearest = &contact;
+    if (!nearest || nearest->gap <= rest_) return Vec3::Zero();
+    Planes held = planes();
+    const Vec3 drop = nearestReachable(-nearest->gap * nearest->normal, held.all()).x;
+    return -drop.dot(nearest->normal) < kBlocked * nearest->gap ? Vec3::Zero() : drop;
 }
 
 // Normals can be such that a felt surface nowhere holds the finger: it shall not move under a hand that

@@ -12,6 +12,8 @@ constexpr double kWellInside = 0.8;
 // On the edge it sticks when the speed of its last move, m/s, has decayed to this: after 50 steps from a fast
 // stroke, 30 from a slow one.
 constexpr double kSticksBelow = 5e-4;
+// A felt slope whose square is below the square of this leads friction aside by less than a double tells.
+constexpr double kLevel = 1e-6;
 
 } // namespace
 
@@ -60,6 +62,38 @@ bool Step::isHeld(const Pushes& pushing, const Vec3& way, double excess) noexcep
         if (excess <= kWellInside * bound) onTheEdge_ = false;
     }
     return held;
+}
+
+// How far the proxy goes, after `drop`, of a wish of which friction allows a part. Friction stands against
+// the way on the felt slope; the wish, which ends where the felt normal leads onto the true plane, reaches
+// too far up and down that slope, by the square of its sine s. While the proxy goes on what is left of the
+// wish shrinks by the power 1 - s^2 of what it shrinks by across the slope. Beside the wish other planes may
+// be in the way.
+Vec3 Step::towardTheCone(const Vec3& drop, const Vec3& along, double part) noexcept {
+    const Vec3 straight = part * along, lean = part > 0 && part < 1 ? leanOfTheFelt() : Vec3::Zero();
+    const double steep2 = lean.squaredNorm();
+    if (!(steep2 > kLevel * kLevel)) return straight;
+    const Vec3 uphill = along.dot(lean) / steep2 * lean;
+    const double power = 1 - steep2 * uphill.squaredNorm() / along.squaredNorm();
+    const double across = std::pow(1 - part, 1 / power), steep = std::pow(1 - part, (1 - steep2) / power);
+    const Vec3 aside = (1 - across) * along - (steep - across) * uphill;
+    return isAllowed(drop + aside) ? aside : straight;
+}
+
+// What of the wish along this slide is held back of it, m.
+double Step::heldBack(const Vec3& along, const Vec3& slide) noexcept {
+    const double length = slide.norm();
+    return length > 0 ? std::max(0.0, along.dot(slide) / length - length) : 0;
+}
+
+// By how much the felt normal of what pushes leans from the true one, if both are one alone: across that.
+Vec3 Step::leanOfTheFelt() noexcept {
+    if (state_.feltCount != 1) return Vec3::Zero();
+    const FeltPlane& plane = state_.felt[0];
+    for (const Contact& contact : contacts())
+        if (contact.body == plane.body && contact.triangle == plane.triangle)
+            return plane.normal - plane.normal.dot(contact.normal) * contact.normal;
+    return Vec3::Zero();
 }
 
 // Of what did not move in this step: whether the finger has come back into the cone, or the motion has died

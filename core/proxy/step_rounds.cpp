@@ -136,7 +136,7 @@ bool Step::round() noexcept {
     // Friction holds the slide back, never the way down onto what is pressed.
     const bool rubbing = rubs();
     smooth_ = !felt_ && !rubbing;
-    const Vec3 drop = felt_ || rubbing ? seat() : Vec3::Zero();
+    const Vec3 drop = felt_ ? seatOnFelt() : rubbing ? seat() : Vec3::Zero();
     const Vec3 along = wish - drop;
     const double excess = along.norm();
     // Nor does a step end beside what is pressed, in the middle of a long slide: its last round only goes
@@ -146,8 +146,8 @@ bool Step::round() noexcept {
     // Friction that lets go entirely is none; the last rounds take no risks.
     const bool bold = rounds_ < mostRounds_ - 2;
     const bool free = slide == excess && bold;
-    const Vec3 allowed = excess > 0 ? Vec3(along * (slide / excess)) : Vec3::Zero();
-    Vec3 motion = felt_  ? alongFelt(drop, allowed, excess - slide, bold)
+    const Vec3 allowed = excess > 0 ? towardTheCone(drop, along, slide / excess) : Vec3::Zero();
+    Vec3 motion = felt_  ? alongFelt(drop, allowed, heldBack(along, allowed), bold)
                   : free ? alongCurvature(wish, wish.norm())
                          : Vec3(drop + allowed);
     if (motion.norm() <= rest_) return cutShort;

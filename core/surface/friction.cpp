@@ -34,4 +34,10 @@ double allowedSlide(const FrictionLimit& limit, double excess, double depth, dou
     return std::clamp(most - end, 0.0, most);
 }
 
+double followedPart(double lag, double dt) noexcept {
+    if (!(lag > 0)) return 1;
+    const double lags = dt / lag;
+    return lags > 0 ? 1 + std::expm1(-lags) / lags : 0;
+}
+
 } // namespace tactum

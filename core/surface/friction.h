@@ -68,4 +68,9 @@ double depthOnSlope(std::span<const Push> pushes, std::size_t on, double coeffic
 double allowedSlide(const FrictionLimit& limit, double excess, double depth, double speed,
                     double dt) noexcept;
 
+/// What a slide against viscosity follows, by the end of a time, of a change that comes evenly in it: of a
+/// slope or a friction that passes under the proxy. From 0 to 1, which is all, as without viscosity. The
+/// same equation under a ramp. Thread: real time.
+double followedPart(double lag, double dt) noexcept;
+
 } // namespace tactum

@@ -75,7 +75,7 @@ void FeltPassesTest::knowsWhereItLookedLast() {
     FeltPasses passes;
     const Vec3 wish = passes.update(state, stroke.contactsOf(state)).x;
     QCOMPARE_GT(wish.norm(), 1e-6);
-    const double reach = passes.reach(state, stroke.contactsOf(state), Vec3::Zero(), wish, 0, 0, false);
+    const double reach = passes.reach(state, stroke.contactsOf(state), Vec3::Zero(), wish, {}, 0, false);
     state.position += reach * wish;
     QVERIFY(passes.restAt(stroke.contactsOf(state), state.position, kRadius));
     ProxyState anew = state;
@@ -112,7 +112,7 @@ void FeltPassesTest::knowsNothingBesideAFace() {
     FeltPasses passes;
     const Vec3 wish = passes.update(state, stroke.contactsOf(state)).x;
     const Vec3 far = 5e-3 * wish.normalized(); // a facet is 2 mm wide
-    const double reach = passes.reach(state, stroke.contactsOf(state), Vec3::Zero(), far, 0, 1, false);
+    const double reach = passes.reach(state, stroke.contactsOf(state), Vec3::Zero(), far, {}, 1, false);
     COMPARE_NEAR(reach, 1.0, 1e-15, "");
     state.position += far;
     QVERIFY(!passes.restAt(stroke.contactsOf(state), state.position, 1));
