@@ -60,6 +60,22 @@ inline QString changedLines(const QStringList& before, const QStringList& after)
     return text;
 }
 
+/// What is shown in each state otherwise than in the one before.
+class States {
+public:
+    explicit States(const QString& first) : before_(first.split(u'\n')) {}
+    void note(const QString& state, const QString& shown) {
+        const QStringList now = shown.split(u'\n');
+        text_ += state + QStringLiteral(":\n") + changedLines(before_, now);
+        before_ = now;
+    }
+    const QString& text() const { return text_; }
+
+private:
+    QStringList before_;
+    QString text_;
+};
+
 /// A square of two triangles for each of `surfaces`, one above the other, 1 cm apart; with texture
 /// coordinates and normals where they are asked for.
 inline std::shared_ptr<const TriangleSoup> plates(int surfaces, bool uvs = false, bool normals = false) {

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QHelpEvent>
 #include <QMouseEvent>
+#include <QSignalSpy>
 #include <QTest>
 #include <QToolTip>
 #include <QWheelEvent>
@@ -23,6 +24,7 @@
 #include "ui/widgets/compare_chart.h"
 #include "ui/widgets/force_meter.h"
 #include "ui/widgets/level_bar.h"
+#include "ui/widgets/loupe.h"
 #include "ui/widgets/period_chart.h"
 #include "ui/widgets/strip_chart.h"
 #include "ui/widgets/swatch.h"
@@ -78,6 +80,32 @@ private slots:
     void initTestCase() {
         speakEnglish();
         applyTheme(ThemeChoice::Dark);
+    }
+
+    void theLoupeSaysHowLargeItIs() {
+        QWidget below;
+        Loupe loupe(&below);
+        QVERIFY(loupe.isHidden());
+        loupe.resize(200, 160);
+        QImage picture(8, 8, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        loupe.setPicture(picture);
+        loupe.setTimes(5);
+        QCOMPARE(loupe.accessibleDescription(), "5 times as large");
+        COMPARE_SHOWN(drawnBy(loupe), "loupe");
+        loupe.setTimes(2.5);
+        QCOMPARE(loupe.accessibleDescription(), "2.5 times as large");
+        loupe.setPicture(picture, QStringLiteral("From the right"));
+        QCOMPARE(loupe.accessibleDescription(), "From the right: 2.5 times as large");
+        COMPARE_SHOWN(shownIn(loupe), "loupe-words");
+        QSignalSpy turned(&loupe, &Loupe::turned), left(&loupe, &Loupe::left);
+        turn(loupe, 180);
+        turn(loupe, -120);
+        QCOMPARE(turned.size(), 2);
+        QCOMPARE(turned[0][0].toDouble(), 1.5);
+        QCOMPARE(turned[1][0].toDouble(), -1.0);
+        leave(loupe);
+        QCOMPARE(left.size(), 1);
     }
 
     void lampsOfButtons() {

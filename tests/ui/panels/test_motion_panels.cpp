@@ -118,22 +118,6 @@ private:
     QString text_;
 };
 
-/// What is shown in each state otherwise than in the one before.
-class States {
-public:
-    explicit States(const QString& first) : before_(first.split(u'\n')) {}
-    void note(const char* state, const QString& shown) {
-        const QStringList now = shown.split(u'\n');
-        text_ += QLatin1String(state) + QStringLiteral(":\n") + changedLines(before_, now);
-        before_ = now;
-    }
-    const QString& text() const { return text_; }
-
-private:
-    QStringList before_;
-    QString text_;
-};
-
 SceneObject boxNamed(const char* name, const Vec3& size, const Vec3& at) {
     SceneObject object;
     object.name = name;
@@ -207,17 +191,17 @@ private slots:
         States states(panel.shown());
         const auto then = [&](const char* name) {
             panel.click(name);
-            states.note(name, panel.shown());
+            states.note(QLatin1String(name), panel.shown());
         };
         chooseObject(panel.document, 0);
-        states.note("still", panel.shown());
+        states.note(QStringLiteral("still"), panel.shown());
         for (const char* name :
              {"hold-loose", "hold-hinge", "joint-add", "joint-remove", "hold-slider", "hold-path"})
             then(name);
         chooseObject(panel.document, 1); // what the lid lies on
-        states.note("beside", panel.shown());
+        states.note(QStringLiteral("beside"), panel.shown());
         panel.document.select({});
-        states.note("world", panel.shown());
+        states.note(QStringLiteral("world"), panel.shown());
         COMPARE_SHOWN(states.text(), "body-states");
     }
 
@@ -363,7 +347,7 @@ private slots:
         States states(shownIn(panel));
         adopt(document, lidAndBox());
         chooseObject(document, 0);
-        states.note("one", shownIn(panel));
+        states.note(QStringLiteral("one"), shownIn(panel));
         const QStringList first = placesOf(document.scene());
         Changes changes(document, placesOf);
         for (const char* name :
@@ -380,7 +364,7 @@ private slots:
         COMPARE_NEAR(part<NumberBox>(panel, "scale").value(), 1.0, 1e-9, "times");
         document.selectObjects({document.scene().objects[1].id, document.scene().objects[0].id});
         changes.note(QStringLiteral("place-x of two"), [&] { turnSeven(panel, "place-x"); });
-        states.note("two", shownIn(panel));
+        states.note(QStringLiteral("two"), shownIn(panel));
         COMPARE_SHOWN(states.text(), "place-states");
         COMPARE_SHOWN(changes.text(), "place-edits");
         while (document.history().canUndo())

@@ -18,6 +18,7 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
 #include "tests/ui/panels/panels.h"
+#include "tests/ui/told_engine.h"
 #include "ui/engine/shared_link.h"
 #include "ui/panels/connection_bar.h"
 #include "ui/panels/event_list.h"
@@ -29,6 +30,7 @@
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
 #include "ui/widgets/notice_bar.h"
+#include "ui/widgets/picture_card.h"
 #include "ui/widgets/tool_strip.h"
 
 namespace test_notices {
@@ -308,6 +310,91 @@ private slots:
         strip.findChild<QPushButton*>(QStringLiteral("arm-again"))->click();
         QCOMPARE(armed.size(), 1);
         QCOMPARE(stopped.size(), 1);
+    }
+
+    /// What comes first where several have something to say, and what is read of a touch.
+    void theStateAfterWhatHappens() {
+        ToldEngine engine;
+        HandReport& hand = engine.of[0];
+        hand.device = arm();
+        hand.servo = servoTelemetry();
+        engine.proxyTold = proxyTelemetry();
+        StatusStrip strip;
+        strip.resize(1600, 40);
+        strip.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&strip));
+        strip.display(engine);
+        States states(shownIn(strip));
+        const auto then = [&](const char* what, const auto& act) {
+            act();
+            strip.display(engine);
+            states.note(QString::fromLatin1(what), shownIn(strip));
+        };
+        then("armed", [&] { hand.armed = true; });
+        then("the mouse is over something", [&] { strip.setHovered(QStringLiteral("lid: 500 N/m")); });
+        then("it is touched", [&] { engine.proxyTold.output.contacts = 2; });
+        then("it has a name", [&] { strip.setTouched(QStringLiteral("lid")); });
+        then("there is less force", [&] { strip.setQuietNote(QStringLiteral("Less force: it is warm.")); });
+        then("a fault", [&] { strip.setFault(QStringLiteral("It stopped."), QStringLiteral("Arm again")); });
+        then("not armed", [&] { hand.armed = false; });
+        then("another hand pushes", [&] { strip.setOthersPush(true); });
+        then("the fault is gone", [&] { strip.setFault({}); });
+        then("let go", [&] { engine.proxyTold.output.contacts = 0; });
+        then("no less force", [&] { strip.setQuietNote({}); });
+        then("over nothing", [&] { strip.setHovered({}); });
+        then("the loops have ended", [&] { engine.runs = false; });
+        then("no other hand", [&] { strip.setOthersPush(false); });
+        COMPARE_SHOWN(states.text(), "status-states");
+    }
+
+    /// Who took a file off the list by the keyboard goes on with the one that came to its place.
+    void theListKeepsTheKeysAtTheirPlace() {
+        RecentList list;
+        QList<RecentFile> files;
+        for (const char* name : {"/a.glb", "/b.glb", "/c.glb"}) {
+            files << RecentFile();
+            files.back().path = QLatin1String(name);
+        }
+        list.setFiles(files);
+        list.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&list));
+        QApplication::setActiveWindow(&list);
+        const auto place = [&] {
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the cards of before
+            const auto cards = list.findChildren<PictureCard*>();
+            for (qsizetype i = 0; i < cards.size(); ++i)
+                if (cards[i]->hasFocus()) return int(i);
+            return -1;
+        };
+        list.findChildren<PictureCard*>()[1]->setFocus();
+        files.removeAt(1);
+        list.setFiles(files);
+        QCOMPARE(place(), 1);
+        files.removeLast();
+        list.setFiles(files);
+        QCOMPARE(place(), 0);
+        list.setFocusPolicy(Qt::StrongFocus);
+        list.setFocus();
+        list.setFiles(files); // the keys are elsewhere
+        QCOMPARE(place(), -1);
+        list.setFiles({});
+        QVERIFY(list.isHidden());
+    }
+
+    void progressSaysHowLongItTakes_data() {
+        QTest::addColumn<double>("seconds");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("not known") << -1.0 << "Opening";
+        QTest::newRow("now") << 0.0 << "Opening - about 1 s left";
+        QTest::newRow("soon") << 2.4 << "Opening - about 2 s left";
+        QTest::newRow("later") << 75.0 << "Opening - about 75 s left";
+        QTest::newRow("much later") << 600.0 << "Opening - about 10 min left";
+    }
+    void progressSaysHowLongItTakes() {
+        QFETCH(double, seconds);
+        NoticeBar bar;
+        bar.showProgress(QStringLiteral("Opening"), 0.5, seconds, true);
+        QTEST(label(bar, "notice-text").text(), "words");
     }
 
     void contactsInWords_data() {
