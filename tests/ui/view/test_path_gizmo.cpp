@@ -83,6 +83,36 @@ private slots:
             gizmo.letGo();
         }
     }
+
+    // A drag of 0.012 m to the right and 0.007 m up: as it is, and in steps of 5 mm.
+    void aPointGoesWhereItIsDragged_data() {
+        QTest::addColumn<int>("handle");
+        QTest::addColumn<bool>("snapped");
+        QTest::addColumn<int>("points");
+        QTest::addColumn<Vec3>("by");
+        QTest::newRow("a point") << 0 << false << 4 << Vec3(0.012, 0.007, 0);
+        QTest::newRow("a point in steps") << 0 << true << 4 << Vec3(0.01, 0.005, 0);
+        QTest::newRow("between two, which makes one") << 4 << false << 5 << Vec3(0.012, 0.007, 0);
+        QTest::newRow("between two in steps") << 4 << true << 5 << Vec3(0.01, 0.005, 0);
+    }
+    void aPointGoesWhereItIsDragged() {
+        QFETCH(int, handle);
+        QFETCH(bool, snapped);
+        QFETCH(int, points);
+        QFETCH(Vec3, by);
+        PathGizmo gizmo;
+        const PathMark mark = ring(4);
+        gizmo.show(mark);
+        const QPointF at = *gizmo.placeOf(handle, camera());
+        QCOMPARE(gizmo.dragged(at, camera(), snapped).size(), mark.points.size()); // nothing is held
+        QVERIFY(gizmo.take(at, camera()));
+        const double pixel = camera().pixelSize(Vec3::Zero());
+        const auto now = gizmo.dragged(at + QPointF(0.012, -0.007) / pixel, camera(), snapped);
+        QCOMPARE(int(now.size()), points);
+        const Vec3 from = handle == 0 ? mark.points[0] : Vec3((mark.points[0] + mark.points[1]) / 2);
+        COMPARE_NEAR(now[handle == 0 ? 0 : 1], Vec3(from + by), 1e-9, "m");
+        COMPARE_NEAR(now.back(), mark.points.back(), 1e-12, "m");
+    }
 };
 
 TACTUM_TEST(TestPathGizmo)

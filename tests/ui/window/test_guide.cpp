@@ -13,8 +13,10 @@
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "tests/ui/cube_file.h"
 #include "ui/base/shortcuts.h"
 #include "ui/base/style.h"
+#include "ui/window/guide_pages.h"
 #include "ui/window/guide_window.h"
 #include "ui/window/keyboard_sheet.h"
 
@@ -53,6 +55,7 @@ private slots:
     void theProgramShowsIt();
     void pagesStandInGroups();
     void wordsAreFoundOnAllPages();
+    void whatIsFoundHasItsHeading();
     void itLooksLikeTheWindow();
 };
 
@@ -221,6 +224,28 @@ void TestGuide::wordsAreFoundOnAllPages() {
 }
 
 /// Its grounds, words and lines are the theme's, also after the person has chosen the other one.
+/// Of its own page: the title is none, a row of a table is one place.
+void TestGuide::whatIsFoundHasItsHeading() {
+    QTemporaryDir folder;
+    const QString page =
+        writeFile(folder, QStringLiteral("page.md"),
+                  "# Title\n\nPlain words.\n\n## First\n\nA paragraph of words.\n\n"
+                  "| key | does |\n|---|---|\n| W | words |\n\n### Second\n\nMore words.\n\nNo other.\n");
+    GuideIndex index({{QStringLiteral("Group"), QStringLiteral("Title"), page}});
+    const auto found = [&](const QStringList& words) {
+        QStringList lines;
+        for (const GuidePlace& place : index.find(0, words))
+            lines << QStringLiteral("%1: %2").arg(place.heading, place.text);
+        return lines;
+    };
+    QCOMPARE(found({QStringLiteral("WORDS")}), (QStringList{": Plain words.", "First: A paragraph of words.",
+                                                            "First: W words", "Second: More words."}));
+    QCOMPARE(found({QStringLiteral("first"), QStringLiteral("paragraph")}),
+             QStringList{"First: A paragraph of words."});
+    QCOMPARE(found({QStringLiteral("first"), QStringLiteral("more")}), QStringList());
+    QCOMPARE(found({QStringLiteral("second")}), QStringList{"Second: Second"});
+}
+
 void TestGuide::itLooksLikeTheWindow() {
     for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
         applyTheme(ThemeChoice::Dark);

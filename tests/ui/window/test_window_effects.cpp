@@ -1,6 +1,7 @@
 // What a person does in the view and beside it: a click with each way to select, keys and drags with each
 // tool, the fields of the tools, preferences. And what the window is put together of.
 #include <QDoubleSpinBox>
+#include <QMouseEvent>
 #include <QRegularExpression>
 #include <QTest>
 
@@ -95,6 +96,8 @@ private slots:
     void keysLeadTheHandles();
     void fieldsOfTheToolsAreStepped();
     void preferencesAreFollowed();
+    void strokesPaint();
+    void whatHappensIsSaid();
     void theWindowIsPutTogether();
 };
 
@@ -153,6 +156,10 @@ void TestWindowEffects::keysLeadTheHandles() {
           {"R Z 3 Back 3 0 Enter", {r, z, three, Qt::Key_Backspace, three, zero, enter}},
           {"S 3 Enter", {s, three, enter}},
           {"S 0 . 3 Enter", {s, zero, Qt::Key_Period, three, enter}},
+          {"S 0 . 0 0 0 0 0 1 Enter",
+           {s, zero, Qt::Key_Period, zero, zero, zero, zero, zero, Qt::Key_1, enter}},
+          {"S 3 0 0 0 0 0 0 0 Enter", {s, three, zero, zero, zero, zero, zero, zero, zero, enter}},
+          {"G X 3 0 0 0 0 0 0 0 Enter", {g, x, three, zero, zero, zero, zero, zero, zero, zero, enter}},
           {"G X 3 Esc", {g, x, three, Qt::Key_Escape}},
           {"G A 3 Enter", {g, Qt::Key_A, three, enter}},
           {"Home", {Qt::Key_Home}}})
@@ -213,6 +220,90 @@ void TestWindowEffects::preferencesAreFollowed() {
         effects.note(name + QStringLiteral(" as before"), [&] { all.set(each.id, was); });
     }
     COMPARE_SHOWN(effects.text(), "effects-preferences");
+}
+
+void TestWindowEffects::strokesPaint() {
+    Above above;
+    Document& document = above.program.document;
+    WindowEffects effects(above.program, [&] { document.select(SurfaceRef{2, 0}); });
+    above.program.command("paint").trigger();
+    const auto stroke = [&](const QString& words) {
+        effects.note(words, [&] {
+            const QPoint from = above.pixelOf({0.18, 0, 0}), to = above.pixelOf({0.22, 0, 0.01});
+            tactum::testing::mouse(above.view, QEvent::MouseButtonPress, from);
+            QMouseEvent move(QEvent::MouseMove, to, above.view.mapToGlobal(QPointF(to)), Qt::NoButton,
+                             Qt::LeftButton, {});
+            QApplication::sendEvent(&above.view, &move);
+            tactum::testing::mouse(above.view, QEvent::MouseButtonRelease, to);
+        });
+    };
+    for (const char* what : {"paint-height", "paint-static-friction", "paint-dynamic-friction",
+                             "paint-viscosity", "paint-stiffness", "paint-layer", "paint-mask"}) {
+        above.program.command(what).trigger();
+        stroke(QLatin1String(what));
+    }
+    above.program.command("paint-height").trigger();
+    for (const char* how : {"brush-subtract", "brush-set", "brush-smooth"}) {
+        above.program.command(how).trigger();
+        stroke(QLatin1String(how));
+    }
+    document.setLocked({SurfaceRef{2, 0}}, true);
+    stroke(QStringLiteral("locked"));
+    COMPARE_SHOWN(effects.text(), "effects-strokes");
+}
+
+/// The sentences of what comes from elsewhere: another form of the file, models that came in.
+void TestWindowEffects::whatHappensIsSaid() {
+    Above above;
+    Document& document = above.program.document;
+    WindowEffects effects(above.program, [] {});
+    const auto updated = [&](const char* words, const std::function<void(GeometryUpdate&)>& change) {
+        GeometryUpdate update;
+        update.file = "/models/pot.obj";
+        update.surfaces = update.withFeel = update.surfacesBefore = 3;
+        change(update);
+        effects.note(QLatin1String(words), [&] { emit document.geometryUpdated(update); });
+    };
+    updated("all found", [](GeometryUpdate&) {});
+    updated("nothing changed", [](GeometryUpdate& update) { update.changed = false; });
+    updated("one lost", [](GeometryUpdate& update) { update.surfacesLost = 1; });
+    updated("two lost", [](GeometryUpdate& update) { update.surfacesLost = 2; });
+    updated("one new", [](GeometryUpdate& update) { update.withFeel = 2; });
+    updated("two new", [](GeometryUpdate& update) { update.withFeel = 1; });
+    updated("back", [](GeometryUpdate& update) { update.back = 2; });
+    updated("back, and one lost", [](GeometryUpdate& update) { update.back = update.surfacesLost = 1; });
+    updated("a layer lost", [](GeometryUpdate& update) { update.layersLost = 1; });
+    updated("bodies lost", [](GeometryUpdate& update) { update.bodiesLost = 2; });
+    updated("larger", [](GeometryUpdate& update) { update.grown = 4; });
+    updated("smaller", [](GeometryUpdate& update) { update.grown = 0.1; });
+    updated("a little larger", [](GeometryUpdate& update) { update.grown = 2.9; });
+    updated("in another unit", [](GeometryUpdate& update) {
+        update.grown = 1e-3;
+        update.axesBefore = FileAxes{1, false};
+        update.axes = FileAxes{1e-3, false};
+    });
+    const auto added = [&](const char* words, const SceneAddition& addition) {
+        effects.note(QLatin1String(words), [&] { emit document.added(addition); });
+    };
+    const std::filesystem::path pot = "/models/pot.obj", lid = "/models/lid.obj";
+    added("one added", {{pot}, {1}, {}, {}});
+    added("two added", {{pot, lid}, {1, 2}, {}, {}});
+    added("scaled", {{pot}, {1}, {{pot, 0.2}}, {}});
+    added("both scaled", {{pot, lid}, {1, 2}, {{pot, 0.2}, {lid, 0.1}}, {}});
+    added("one refused", {{pot}, {1}, {}, {"lid.obj is empty"}});
+    const auto says = [&](const char* words, const std::function<void()>& act) {
+        effects.note(QLatin1String(words), act);
+    };
+    says("noted", [&] { emit document.noted(QStringLiteral("Something is noted.")); });
+    says("not opened", [&] { emit document.openFailed(QStringLiteral("It cannot be opened.")); });
+    says("not saved", [&] { emit document.saveFailed(QStringLiteral("It cannot be saved.")); });
+    says("saved", [&] { emit document.saved(QStringLiteral("/models/pot.glb")); });
+    says("exported", [&] { emit document.exported(QStringLiteral("/models/pot.tactum")); });
+    says("an edit ended", [&] { emit document.editEnded(QStringLiteral("It is split.")); });
+    above.program.command("present").trigger();
+    says("Esc leaves the presentation", [&] { QTest::keyClick(&above.view, Qt::Key_Escape); });
+    says("Esc without one", [&] { QTest::keyClick(&above.view, Qt::Key_Escape); });
+    COMPARE_SHOWN(effects.text(), "effects-said");
 }
 
 void TestWindowEffects::theWindowIsPutTogether() {

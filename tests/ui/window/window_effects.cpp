@@ -66,6 +66,21 @@ double distanceOf(const SceneView& view) {
     return view.camera().distance / fitted.distance;
 }
 
+/// What a file says of shapes lies in its arrays.
+QStringList sizesOf(const Scene& scene) {
+    QStringList lines;
+    for (const SceneObject& object : scene.objects) {
+        const Vec3 size = boundsOf(*object.geometry).high - boundsOf(*object.geometry).low;
+        lines << QStringLiteral("%1 measures %2 %3 %4 m, %5 triangles")
+                     .arg(QString::fromStdString(object.name))
+                     .arg(size.x(), 0, 'g', 4)
+                     .arg(size.y(), 0, 'g', 4)
+                     .arg(size.z(), 0, 'g', 4)
+                     .arg(object.geometry->triangles.size());
+    }
+    return lines;
+}
+
 QStringList looksOf(const SceneView& view) {
     const ViewCamera& camera = view.camera();
     const FeltOptions& felt = view.felt();
@@ -189,8 +204,8 @@ void WindowEffects::settle() {
 QStringList WindowEffects::state() {
     const Document& document = program_.document;
     QStringList lines = testing::figuresOf(document.scene());
-    lines << selectionOf(document) << looksOf(program_.window->view()) << widgetsOf(*program_.window)
-          << settings();
+    lines << sizesOf(document.scene()) << selectionOf(document) << looksOf(program_.window->view())
+          << widgetsOf(*program_.window) << settings();
     if (const QString copied = QApplication::clipboard()->text(); !copied.isEmpty())
         lines << QStringLiteral("copied: ") + copied.simplified();
     for (const QAction* action : actions_)
