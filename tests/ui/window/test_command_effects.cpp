@@ -8,6 +8,7 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/own_folders.h"
 #include "tests/ui/panels/panels.h"
+#include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/window_effects.h"
 
 #include "ui/base/shortcuts.h"
@@ -76,6 +77,7 @@ private slots:
     void onSeveralObjects();
     void onOneSurface();
     void onTheView();
+    void onAStudy();
 };
 
 void TestCommandEffects::onSeveralObjects() {
@@ -101,6 +103,20 @@ void TestCommandEffects::onTheView() {
     Known known;
     COMPARE_SHOWN(effectsOf(known.program, {"View", "Help"}, [&] { known.program.document.select({}); }),
                   "effects-view");
+}
+
+void TestCommandEffects::onAStudy() {
+    Known known;
+    for (const char* name : {"soft", "stiff"}) {
+        answerTextDialog(QLatin1String(name));
+        known.program.command("study-keep").trigger();
+        known.program.document.setProxyRadius(known.program.document.scene().proxyRadius + 0.001);
+    }
+    WindowEffects effects(known.program, [] {});
+    for (const char* id : {"study-show", "study-replace", "study-show", "study-remove", "study-show",
+                           "study-remove", "study-edit", "study-save", "study-open", "study-new"})
+        effects.choose(id);
+    COMPARE_SHOWN(effects.text(), "effects-study");
 }
 
 TACTUM_GUI_TEST(TestCommandEffects)

@@ -47,10 +47,10 @@ struct Above {
         tactum::testing::mouse(view, QEvent::MouseButtonRelease, to, button);
     }
     /// To the view itself: Qt Test does not know each of them.
-    void key(int key) const {
+    void key(int key, Qt::KeyboardModifiers modifiers = {}) const {
         const QString text = key < 0x80 ? QString(QChar(key)).toLower() : QString();
         for (const auto what : {QEvent::KeyPress, QEvent::KeyRelease}) {
-            QKeyEvent event(what, key, Qt::NoModifier, text);
+            QKeyEvent event(what, key, modifiers, text);
             QApplication::sendEvent(&view, &event);
         }
     }
@@ -123,6 +123,25 @@ void TestWindowEffects::aClickTakesWhatIsChosen() {
             above.program.command(region).trigger();
             above.drag(Qt::LeftButton, {0.3, 0.3});
         });
+    const Vec3 corner(0.05, 0.01, 0.05), other(0.15, 0, 0.05), far(0.25, 0, -0.05);
+    above.program.command("measure").trigger();
+    effects.note(QStringLiteral("measure: a corner"), [&] { above.click(corner); });
+    effects.note(QStringLiteral("measure: another one"), [&] { above.click(other); });
+    effects.note(QStringLiteral("measure: copied"), [&] { above.program.command("measure-copy").trigger(); });
+    effects.note(QStringLiteral("measure: a third one"), [&] { above.click(far); });
+    effects.note(QStringLiteral("measure: copied"), [&] { above.program.command("measure-copy").trigger(); });
+    effects.note(QStringLiteral("measure: beside all"), [&] { above.click(beside); });
+    effects.note(QStringLiteral("measure: Esc"), [&] { above.key(Qt::Key_Escape); });
+    effects.note(QStringLiteral("measure: Esc again"), [&] { above.key(Qt::Key_Escape); });
+    for (const auto& [tool, place] :
+         {std::pair("touch", lid), {"select", top}, {"arrange", top}, {"arrange", beside}}) {
+        above.program.command(tool).trigger();
+        effects.note(QStringLiteral("%1: right button").arg(QLatin1String(tool)),
+                     [&, at = above.pixelOf(place)] {
+                         for (const auto what : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease})
+                             tactum::testing::mouse(above.view, what, at, Qt::RightButton);
+                     });
+    }
     COMPARE_SHOWN(effects.text(), "effects-clicks");
 }
 
@@ -164,6 +183,10 @@ void TestWindowEffects::keysLeadTheHandles() {
           {"G A 3 Enter", {g, Qt::Key_A, three, enter}},
           {"Home", {Qt::Key_Home}}})
         keys(QLatin1String(words), pressed);
+    for (const int pad : {Qt::Key_1, Qt::Key_3, Qt::Key_7, Qt::Key_0, Qt::Key_4, Qt::Key_6, Qt::Key_8,
+                          Qt::Key_2, Qt::Key_5, Qt::Key_5, Qt::Key_Plus, Qt::Key_Minus})
+        effects.note(QStringLiteral("number pad %1").arg(QChar(pad)),
+                     [&] { above.key(pad, Qt::KeypadModifier); });
     document.setLocked({SurfaceRef{2, 0}}, true);
     keys(QStringLiteral("locked: G X 3 Enter"), {g, x, three, enter});
     COMPARE_SHOWN(effects.text(), "effects-keys");

@@ -10,6 +10,7 @@
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QLabel>
+#include <QMenu>
 #include <QSettings>
 #include <QUndoStack>
 
@@ -105,6 +106,8 @@ QStringList looksOf(const SceneView& view) {
         {"relief", felt.relief},       {"felt normals", felt.feltNormals}};
     for (const auto& [name, on] : switches)
         lines << QStringLiteral("shows %1: %2").arg(QLatin1String(name), yesOr(on));
+    for (const Vec3& point : view.measured())
+        lines << QStringLiteral("measures from ") + text(point);
     if (const auto& plane = view.section())
         lines << QStringLiteral("cut at %1 toward %2")
                      .arg(text(plane->frame.translation), text(plane->normal()));
@@ -230,6 +233,10 @@ void WindowEffects::tellOf(QWidget& window) {
                           .arg(QLatin1String(window.metaObject()->className()), window.windowTitle())};
     if (const auto* files = qobject_cast<QFileDialog*>(&window))
         words << files->nameFilters();
+    else if (const auto* menu = qobject_cast<QMenu*>(&window))
+        for (const QAction* entry : menu->actions())
+            words << (entry->isSeparator() ? QStringLiteral("--")
+                                           : entry->text() + (entry->isEnabled() ? "" : " (off)"));
     else if (const auto* input = qobject_cast<QInputDialog*>(&window))
         words << input->labelText() << input->textValue();
     windows_ << words.join(QStringLiteral("; "));
