@@ -1,5 +1,7 @@
 #include "ui/tools/paint_goal.h"
 
+#include "core/base/text.h"
+
 namespace tactum {
 
 namespace {
@@ -74,7 +76,7 @@ void putPattern(Surface& surface, PaintPlace place, PaintGoal goal, const Textur
         TextureLayer fresh;
         fresh.target = targetOf(goal);
         fresh.strength = strengthParameter(fresh.target).initial;
-        fresh.name = "Painted " + std::string(kTextureTargets[std::size_t(fresh.target)].key);
+        fresh.name = "Painted " + lowerCase(kTextureTargets[std::size_t(fresh.target)].label);
         surface.layers.push_back(std::move(fresh));
     }
     if (place.layer < 0 || place.layer >= int(surface.layers.size())) return;

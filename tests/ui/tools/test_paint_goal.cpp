@@ -147,6 +147,9 @@ private slots:
         QCOMPARE(surface.layers[3].name, "Painted viscosity");
         QCOMPARE_EQ(surface.layers[3].strength, strengthParameter(TextureTarget::Viscosity).initial);
         QVERIFY(surface.layers[3].pattern == pattern);
+        Surface other;
+        putPattern(other, {0, false}, PaintGoal::StaticFriction, pattern);
+        QCOMPARE(other.layers[0].name, "Painted static friction"); // in words, not by its key
         // Nowhere else.
         Surface same = before;
         putPattern(same, {3, false}, PaintGoal::Layer, pattern);
