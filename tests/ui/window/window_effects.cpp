@@ -16,6 +16,7 @@
 
 #include "tests/ui/document/scene_figures.h"
 #include "ui/base/shortcuts.h"
+#include "ui/tools/paint_tool.h"
 #include "ui/view/scene_view.h"
 #include "ui/widgets/notice_bar.h"
 #include "ui/widgets/tool_strip.h"
@@ -195,10 +196,11 @@ void WindowEffects::note(const QString& words, const std::function<void()>& act)
 /// Until workers are done and the camera stands.
 void WindowEffects::settle() {
     QStringList last;
+    const auto& painting = *program_.window->findChild<PaintTool*>();
     const bool stands = test::waitFor([&] {
         program_.frames(1);
         const QStringList now = looksOf(program_.window->view());
-        return std::exchange(last, now) == now && !program_.document.editing() &&
+        return std::exchange(last, now) == now && !program_.document.editing() && !painting.working() &&
                !program_.window->view().makesFelt() && program_.caughtUp();
     });
     if (!stands) qFatal("the window does not come to rest");
