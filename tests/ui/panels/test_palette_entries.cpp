@@ -11,6 +11,7 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
 #include "tests/ui/panels/panels.h"
+#include "ui/base/shortcuts.h"
 #include "ui/widgets/command_palette.h"
 
 namespace test_palette_entries {
@@ -43,6 +44,33 @@ private slots:
     void initTestCase() { applyTheme(ThemeChoice::Dark); }
     void init() { QSettings().clear(); }
     void cleanup() { QSettings().clear(); }
+
+    /// A command that is off says why instead of what it does; away with the others it comes back as it was.
+    void aCommandThatIsOffSaysWhy() {
+        Actions actions;
+        const auto state = [&](const char* id) {
+            const QAction& action = actions[id];
+            return QStringLiteral("%1, %2, %3")
+                .arg(action.isEnabled() ? QStringLiteral("on") : QStringLiteral("off"),
+                     actions.whyNot(QLatin1String(id)), action.toolTip());
+        };
+        const QString hide = state("hide"), fit = state("fit");
+        COMPARE_BEGINS(hide, QStringLiteral("on, , "));
+        actions.allow("hide", QStringLiteral("Nothing is there."));
+        QCOMPARE(state("hide"), "off, Nothing is there., Nothing is there.");
+        actions.setLive(false);
+        QCOMPARE(state("hide"), "off, Nothing is there., Nothing is there.");
+        QVERIFY(!actions["lock"].isEnabled());
+        QCOMPARE(state("fit"), fit); // it changes nothing
+        actions.allow("hide", {});
+        actions.setLive(true);
+        QCOMPARE(state("hide"), hide);
+        QVERIFY(actions["lock"].isEnabled());
+        actions.allow("hide", QStringLiteral("Nothing is there."));
+        actions.setLive(false);
+        actions.setLive(true);
+        QCOMPARE(state("hide"), "off, Nothing is there., Nothing is there.");
+    }
 
     void howWellAnEntryFits_data() {
         QTest::addColumn<QString>("typed");

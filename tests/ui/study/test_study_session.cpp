@@ -28,6 +28,8 @@ using namespace tactum::test;
 
 namespace {
 
+constexpr int kParticipant = 12; // "P012" in the names of the logs
+
 /// A box of some stiffness, which tells the scenes apart.
 Scene boxOf(double stiffness, Primitive shape = Primitive::Box) {
     Scene scene = sceneOf(shape);
@@ -63,8 +65,9 @@ struct Desk {
         engine.of[0].device.damping = 4;
     }
     Result<void> begin(const Study& study, bool goOn = false) {
-        const Result<void> begun = session.begin(std::make_shared<const Study>(study),
-                                                 {.file = file, .participant = 7, .seed = 11, .goOn = goOn});
+        const Result<void> begun =
+            session.begin(std::make_shared<const Study>(study),
+                          {.file = file, .participant = kParticipant, .seed = 11, .goOn = goOn});
         if (begun) (void)waitFor([&] { return !publisher.working(); });
         return begun;
     }
@@ -84,7 +87,7 @@ struct Desk {
     }
     std::string log(const char* kind) const {
         const QDir folder(QString::fromStdString(file.parent_path().string()));
-        const QStringList found = folder.entryList({QStringLiteral("texture-P007-*-%1.csv").arg(kind)});
+        const QStringList found = folder.entryList({QStringLiteral("texture-P012-*-%1.csv").arg(kind)});
         if (found.empty()) return {};
         std::ostringstream text;
         text << std::ifstream(folder.filePath(found.back()).toStdString()).rdbuf();
@@ -103,7 +106,7 @@ struct Desk {
 
 /// What StudyRun says of the same study, participant and seed.
 StudyRun planOf(const Study& study) {
-    return StudyRun::begin(study.design, 7, 11).value();
+    return StudyRun::begin(study.design, kParticipant, 11).value();
 }
 
 double stiffnessOf(const Study& study, const Stimulus& stimulus) {
@@ -172,7 +175,7 @@ private slots:
             auto row = answers[i];
             const StudyTrial& trial = desk.session.run().done()[i].trial;
             QCOMPARE(row["trial"], std::to_string(i + 1));
-            QCOMPARE(row["participant"], "7");
+            QCOMPARE(row["participant"], "12");
             QCOMPARE(row["seed"], "11");
             QCOMPARE(row["device"], "An arm");
             QCOMPARE(row["felt"], "2");
@@ -344,7 +347,7 @@ private slots:
         std::filesystem::path file;
         {
             Desk desk(own_);
-            QVERIFY(!brokenOff(study.design, desk.file, 7));
+            QVERIFY(!brokenOff(study.design, desk.file, kParticipant));
             VERIFY_RESULT(desk.begin(study));
             for (int trial = 0; trial < 2; ++trial) {
                 for (int i = 0; i < (trial ? 2 : 3); ++i) {
@@ -363,7 +366,7 @@ private slots:
             torn << "2,3,half a";
         }
         Desk desk(own_);
-        const auto broken = brokenOff(study.design, desk.file, 7);
+        const auto broken = brokenOff(study.design, desk.file, kParticipant);
         QVERIFY(broken.has_value());
         QCOMPARE(broken->run.answers.size(), std::size_t(2));
         QCOMPARE(broken->log, file);
@@ -387,7 +390,7 @@ private slots:
             QCOMPARE(rows[i].at("trial"), std::to_string(i + 1));
         QCOMPARE(rows[1].at("q1"), "2");
         QCOMPARE(rows[2].at("q1"), "5");
-        QVERIFY(!brokenOff(study.design, desk.file, 7)); // it came to its end
+        QVERIFY(!brokenOff(study.design, desk.file, kParticipant)); // it came to its end
     }
 
     void whatIsNoRunIsRefused() {

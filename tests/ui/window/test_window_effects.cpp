@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QRegularExpression>
 #include <QTest>
+#include <QToolButton>
 
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
@@ -323,6 +324,8 @@ void TestWindowEffects::whatHappensIsSaid() {
     says("saved", [&] { emit document.saved(QStringLiteral("/models/pot.glb")); });
     says("exported", [&] { emit document.exported(QStringLiteral("/models/pot.tactum")); });
     says("an edit ended", [&] { emit document.editEnded(QStringLiteral("It is split.")); });
+    says("the button of the palette",
+         [&] { above.program.window->findChild<QToolButton*>(QStringLiteral("palette-button"))->click(); });
     above.program.command("present").trigger();
     says("Esc leaves the presentation", [&] { QTest::keyClick(&above.view, Qt::Key_Escape); });
     says("Esc without one", [&] { QTest::keyClick(&above.view, Qt::Key_Escape); });
