@@ -169,7 +169,7 @@ void WindowEffects::choose(const char* id) {
     prepare_();
     if (!action.isEnabled()) return;
     note(words, [&] { action.trigger(); });
-    if (action.isCheckable() && !action.actionGroup())
+    if (action.isCheckable() && !(action.actionGroup() && action.actionGroup()->isExclusive()))
         note(words + QStringLiteral(", again"), [&] { action.trigger(); });
 }
 
