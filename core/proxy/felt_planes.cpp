@@ -105,6 +105,14 @@ double FeltPasses::held(const Vec3& way) const noexcept {
     return std::isfinite(least) ? least : 0;
 }
 
+// Of the viscosity of what pushes, s.
+double FeltPasses::lag() const noexcept {
+    double most = 0;
+    for (std::size_t i = 0; i < on_->contacts.size(); ++i)
+        if (result_.lambda[i] > 0) most = std::max(most, frictionLimit(material_[i], true).lag);
+    return most;
+}
+
 void FeltPasses::settle(ProxyState& state) const noexcept {
     for (std::size_t i = 0; i < on_->contacts.size(); ++i) {
         on_->contacts[i].lambda = result_.lambda[i];
@@ -355,7 +363,11 @@ double FeltPasses::reach(const ProxyState& state, const FeltContacts& on, const 
     const auto wishAfter = [&](double part) {
         double wish = at(state.position + (drop + part * slide), true).x.dot(way);
         if (looks) wish -= hold.back + held(way) - heldAtStart;
-        if (looks) wish += (1 - hold.followed) * ((1 - part) * atStart - wish);
+        if (looks && hold.lag > 0) {
+            // Where the viscosity changes on the way, too, the mean of both ends holds the slide.
+            const double length = atStart * 2 * hold.lag / (hold.lag + lag());
+            wish += (1 - hold.followed) * (length - part * atStart - wish);
+        }
         const double secant = (part - before) * atStart / (wishBefore - wish);
         leads_ = secant > 0 ? std::min(secant, kFarthest) : 1;
         before = part, wishBefore = wish;

@@ -46,6 +46,7 @@ public:
     /// What friction does to a slide.
     struct Hold {
         double back = 0;     ///< what it holds back of the wish at the beginning, m
+        double lag = 0;      ///< of the viscosity there, s
         double followed = 1; ///< how much of what changes on the way it lets the slide follow: followedPart()
     };
 
@@ -79,6 +80,7 @@ private:
     void clear() noexcept;
     bool hasLookedAt(std::span<const Contact> contacts) const noexcept;
     double held(const Vec3& way) const noexcept;
+    double lag() const noexcept;
     void settle(ProxyState& state) const noexcept;
     double locate(std::size_t i, bool ahead) noexcept;
     void look(std::size_t i) noexcept;

@@ -42,7 +42,7 @@ Vec3 Step::alongFelt(const Vec3& drop, Vec3 slide, double back, bool mayExtend) 
     if (slide.norm() <= rest_) return drop;
     // The last round's slide is too short for the felt normal to change on it.
     const bool isLast = slide.norm() <= settled();
-    const FeltPasses::Hold hold{back, followedPart(lag(), timeLeft_)};
+    const FeltPasses::Hold hold{back, lag(), followedPart(lag(), timeLeft_)};
     const double reach =
         isLast ? 1 : passes_->reach(state_, feltContacts(), drop, slide, hold, settled(), mayExtend);
     if (reach <= 1 || isAllowed(drop + reach * slide)) slide *= reach;

@@ -127,6 +127,7 @@ private slots:
     void viscosityFollowsWhatPasses();
     void nothingCreepsIntoAFold_data();
     void nothingCreepsIntoAFold();
+    void aStrokeFollowsASharpEdge();
     void aTextureIsSeenFromItsBody_data();
     void aTextureIsSeenFromItsBody();
 };
@@ -171,8 +172,9 @@ void FeltFrictionTest::viscosityFollowsWhatPasses_data() {
     QTest::addColumn<int>("target");
     for (const double viscosity : {2.0, 20.0})
         for (const double speed : {0.02, 0.05, 0.15})
-            for (const auto& [target, name] :
-                 {std::pair{TextureTarget::Height, "height"}, {TextureTarget::DynamicFriction, "friction"}})
+            for (const auto& [target, name] : {std::pair{TextureTarget::Height, "height"},
+                                               {TextureTarget::DynamicFriction, "friction"},
+                                               {TextureTarget::Viscosity, "viscosity"}})
                 QTest::addRow("%g N s/m, %g m/s, %s", viscosity, speed, name)
                     << viscosity << speed << int(target);
 }
@@ -184,14 +186,18 @@ void FeltFrictionTest::viscosityFollowsWhatPasses() {
     QFETCH(double, speed);
     QFETCH(int, target);
     constexpr double kFriction = 0.4;
-    const bool isHeight = TextureTarget(target) == TextureTarget::Height;
+    const auto changes = [&](TextureTarget which) { return TextureTarget(target) == which; };
+    const bool isHeight = changes(TextureTarget::Height);
     const Wave wave{8e-3, isHeight ? 0.2e-3 : 0.5};
     TextureLayer layer = formulaOf(wave);
     layer.target = TextureTarget(target);
     layer.strength = isHeight ? wave.height : -wave.height;
+    const auto scaled = [&](TextureTarget which, double value, double x) {
+        return changes(which) ? value * (1 - wave.heightAt(x)) : value;
+    };
     ViscousSlide right{[&](double x) { return isHeight ? wave.slopeAt(x) : 0; },
-                       [&](double x) { return isHeight ? kFriction : kFriction * (1 - wave.heightAt(x)); },
-                       [&](double) { return viscosity; }};
+                       [&](double x) { return scaled(TextureTarget::DynamicFriction, kFriction, x); },
+                       [&](double x) { return scaled(TextureTarget::Viscosity, viscosity, x); }};
     const double from = -0.1, told = from + 4e-3 + viscosity / kStiffness.initial * speed * 8;
     right.x = from;
     int ticks = 0;
@@ -204,7 +210,7 @@ void FeltFrictionTest::viscosityFollowsWhatPasses() {
             before = tick.finger;
             if (tick.finger < told) return;
             ++ticks;
-            COMPARE_NEAR(-tick.along, expected, 0.005 * std::hypot(tick.along, tick.push), "N");
+            COMPARE_NEAR(-tick.along, expected, 0.007 * std::hypot(tick.along, tick.push), "N");
         });
     QCOMPARE_GT(ticks, 50);
 }
@@ -255,6 +261,31 @@ void FeltFrictionTest::nothingCreepsIntoAFold() {
     // What a finger's way alone can change, twice, and what shading leaves of facets as wide as these.
     const double facets = cell / kBowl * kStiffness.initial * kDeep * 0.3;
     QCOMPARE_LT(largestStep, 2 * kStiffness.initial * kSpeed * kMillisecond + facets);
+}
+
+// Along the edge of a shaded roof of 90 degrees, from one of its vertices on, without friction: nothing holds
+// back, and nothing runs ahead. What was left over of a slide used to say how far the proxy might come back:
+// 37 um ahead.
+void FeltFrictionTest::aStrokeFollowsASharpEdge() {
+    constexpr double kLength = 0.05, kCut = 5e-3, kWide = 5e-3, kDeep = 1e-3, kSpeed = 0.15;
+    const double half = std::numbers::sqrt2 / 2;
+    const Vec3 a = kLength * Vec3(-half, 0, -half), b = kLength * Vec3(half, 0, -half);
+    SoupBuilder builder;
+    for (double y = -kLength; y < kLength - 0.5 * kCut; y += kCut) {
+        const Vec3 here(0, y, 0), next(0, y + kCut, 0);
+        builder.triangle(a + here, here, next).triangle(a + here, next, a + next);
+        builder.triangle(here, b + here, b + next).triangle(here, b + next, next);
+    }
+    Scene scene = sceneOf(builder.build(), frictionless(), kWide);
+    scene.objects[0].surfaces[0].shading = {true, NormalSource::Computed};
+    Hand hand(compile(scene).value());
+    const auto at = [&](double y, double depth) { return Vec3(0, y, kWide - depth); };
+    for (int i = 0; i <= 100; ++i)
+        hand.to(at(0, kDeep * i / 100));
+    for (double y = 0; y < 12e-3; y += kSpeed * kMillisecond) {
+        hand.to(at(y, kDeep));
+        COMPARE_NEAR(hand.output().force, Vec3(0, 0, kStiffness.initial * kDeep), 1e-3, "N");
+    }
 }
 
 void FeltFrictionTest::aTextureIsSeenFromItsBody_data() {
