@@ -14,12 +14,13 @@ struct Rise {
     Vec3 slope = Vec3::Zero();
 };
 
-/// The surface of Clough and Tocher through values and slopes at the corners of a triangle, the slope across
-/// an edge linear along it (R. W. Clough and J. L. Tocher, Finite element stiffness matrices for analysis of
-/// plate bending, 1965), by Bezier's ordinates: a corner i, a corner j and the middle m of all three are the
-/// corners of the part that a point lies in. Its slope does not jump between the parts, nor toward a
-/// neighbour with the same values and slopes. Slopes lie in the plane of the triangle, which must have one.
-/// Thread: real time.
+/// The surface of Clough and Tocher through values and slopes at the corners of a triangle (R. W. Clough and
+/// J. L. Tocher, Finite element stiffness matrices for analysis of plate bending, 1965), by Bezier's
+/// ordinates: a corner i, a corner j and the middle m of all three are the corners of the part that a point
+/// lies in. The slope across the side from i to the next corner is quadratic along it: `bulge` i is what its
+/// ordinate has above the one that lets it be linear. The slope does not jump between the parts, nor toward a
+/// neighbour with the same values, slopes and slope across. Slopes lie in the plane of the triangle, which
+/// must have one. Thread: real time.
 class CloughTocher {
 public:
     CloughTocher(const Triangle& t, const Vec3& values, const std::array<Vec3, 3>& slopes,
@@ -54,7 +55,7 @@ private:
     }
     double toMiddle(int i) const noexcept { return values_[i] + slopes_[i].dot(middle_ - corner_[i]) / 3; }
 
-    /// The one that lets the slope across the edge from i to j be linear along it.
+    /// The one that lets the slope across the edge from i to j be linear along it, and the bulge.
     double across(int i, int j) const noexcept {
         const Vec3 edge = corner_[j] - corner_[i];
         const double t = (middle_ - corner_[i]).dot(edge) / edge.squaredNorm();

@@ -10,10 +10,10 @@ namespace tactum {
 
 /// Value and gradient of a pattern whose source is Painted. Over a triangle the value is a cubic in three
 /// parts whose slope does not jump, neither between them nor from triangle to triangle (R. W. Clough and
-/// J. L. Tocher, Finite element stiffness matrices for analysis of plate bending, 1965, with the slope across
-/// an edge linear along it); along a segment it is linear. What is linear is met exactly. The gradient is
-/// that of the value, tangent to the normal of the point; zero on a point, on slivers without a plane, and
-/// where the cubic would leave 0 to 1. Thread: real time.
+/// J. L. Tocher, Finite element stiffness matrices for analysis of plate bending, 1965); along a segment it
+/// is linear. What is cubic in a plane is met exactly. The gradient is that of the value, tangent to the
+/// normal of the point; zero on a point and on slivers without a plane. Beside a hard edge values are up to a
+/// hundredth below 0 or above 1. Thread: real time.
 TextureField samplePainted(const CompiledPattern& pattern, const TexturePoint& point) noexcept;
 
 /// The slopes at the corners of a triangle, in its plane: body frame, 1/m. Thread: real time.
