@@ -10,6 +10,7 @@
 #include "tests/support/compare.h"
 #include "tests/support/repeats.h"
 #include "tests/support/test_program.h"
+#include "tests/support/uneven_grid.h"
 
 namespace test_felt_friction {
 
@@ -90,29 +91,13 @@ struct ViscousSlide {
     }
 };
 
-/// Triangles between places on a part of a ball, 2 mm wide and uneven.
+/// A part of a ball, of 50 by 20 uneven cells.
 Soup bowl(double radius, double cell, unsigned seed) {
     Rng rng(seed);
-    constexpr int kAlong = 50, kAcross = 20;
-    std::vector<Vec3> places;
-    for (int k = 0; k <= kAcross; ++k)
-        for (int i = 0; i <= kAlong; ++i) {
-            const double u = (i - 0.5 * kAlong + uniform(rng, -0.3, 0.3)) * cell / radius,
-                         v = (k - 0.5 * kAcross + uniform(rng, -0.3, 0.3)) * cell / radius;
-            places.push_back(radius *
-                             Vec3(std::cos(u) * std::cos(v), std::sin(u) * std::cos(v), std::sin(v)));
-        }
-    SoupBuilder builder;
-    const auto at = [&](int i, int k) { return places[std::size_t(k * (kAlong + 1) + i)]; };
-    for (int i = 0; i < kAlong; ++i)
-        for (int k = 0; k < kAcross; ++k)
-            if (rng() % 2)
-                builder.triangle(at(i, k), at(i + 1, k), at(i + 1, k + 1))
-                    .triangle(at(i, k), at(i + 1, k + 1), at(i, k + 1));
-            else
-                builder.triangle(at(i, k), at(i + 1, k), at(i, k + 1))
-                    .triangle(at(i + 1, k), at(i + 1, k + 1), at(i, k + 1));
-    return builder.build();
+    return unevenGrid(50, 20, 0.3, true, rng, [&](double x, double y) {
+        const double u = (x - 25) * cell / radius, v = (y - 10) * cell / radius;
+        return Vec3(radius * Vec3(std::cos(u) * std::cos(v), std::sin(u) * std::cos(v), std::sin(v)));
+    });
 }
 
 } // namespace

@@ -12,6 +12,7 @@
 #include "tests/support/repeats.h"
 #include "tests/support/slow_slide.h"
 #include "tests/support/test_program.h"
+#include "tests/support/uneven_grid.h"
 
 namespace test_felt_pictures {
 
@@ -39,24 +40,9 @@ Soup meshFor(double cell, Cells cells) {
     const double across = cells == Cells::Long ? 2e-3 : cell;
     const int count = int(std::ceil(0.24 / cell)), rows = cells == Cells::Long ? 3 : 9;
     Rng rng(11);
-    std::vector<Vec3> places;
-    for (int k = 0; k <= rows; ++k)
-        for (int i = 0; i <= count; ++i) {
-            places.emplace_back(-0.12 + i * cell, (k - 0.5 * rows) * across, 0);
-            if (cells == Cells::Uneven)
-                places.back() += 0.3 * cell * inBox(rng, 1).cwiseProduct(Vec3(1, 1, 0));
-        }
-    SoupBuilder builder;
-    const auto at = [&](int i, int k) { return places[std::size_t(k * (count + 1) + i)]; };
-    for (int i = 0; i < count; ++i)
-        for (int k = 0; k < rows; ++k)
-            if (cells != Cells::Uneven || rng() % 2)
-                builder.triangle(at(i, k), at(i + 1, k), at(i + 1, k + 1))
-                    .triangle(at(i, k), at(i + 1, k + 1), at(i, k + 1));
-            else
-                builder.triangle(at(i, k), at(i + 1, k), at(i, k + 1))
-                    .triangle(at(i + 1, k), at(i + 1, k + 1), at(i, k + 1));
-    return builder.build();
+    return unevenGrid(count, rows, cells == Cells::Uneven ? 0.3 : 0, true, rng, [&](double x, double y) {
+        return Vec3(-0.12 + x * cell, (y - 0.5 * rows) * across, 0);
+    });
 }
 
 /// The wave at the vertices of a mesh.

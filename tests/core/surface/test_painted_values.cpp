@@ -8,6 +8,7 @@
 #include "tests/core/surface/texture_rig.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
+#include "tests/support/uneven_grid.h"
 
 namespace test_painted_values {
 
@@ -49,24 +50,8 @@ Soup evenPlane(int n, double cell) {
 
 /// The same with its inner positions moved, and halved by either diagonal.
 Soup unevenPlane(int n, double cell, Rng& rng) {
-    std::vector<Vec3> places;
-    for (int k = 0; k <= n; ++k)
-        for (int i = 0; i <= n; ++i) {
-            const bool isInside = i > 0 && k > 0 && i < n && k < n;
-            places.push_back(cell * (Vec3(i - 0.5 * n, k - 0.5 * n, 0) +
-                                     isInside * 0.3 * inBox(rng, 1).cwiseProduct(Vec3(1, 1, 0))));
-        }
-    SoupBuilder builder;
-    const auto at = [&](int i, int k) { return places[std::size_t(k * (n + 1) + i)]; };
-    for (int i = 0; i < n; ++i)
-        for (int k = 0; k < n; ++k)
-            if (rng() % 2)
-                builder.triangle(at(i, k), at(i + 1, k), at(i + 1, k + 1))
-                    .triangle(at(i, k), at(i + 1, k + 1), at(i, k + 1));
-            else
-                builder.triangle(at(i, k), at(i + 1, k), at(i, k + 1))
-                    .triangle(at(i + 1, k), at(i + 1, k + 1), at(i, k + 1));
-    return builder.build();
+    return unevenGrid(n, n, 0.3, false, rng,
+                      [&](double x, double y) { return Vec3(cell * Vec3(x - 0.5 * n, y - 0.5 * n, 0)); });
 }
 
 template <class Height> std::vector<float> valuesOf(const TriangleSoup& soup, Height&& height) {
