@@ -226,7 +226,7 @@ Result<std::shared_ptr<World>> build(const Scene& scene, const World* previous, 
 }
 
 // Below this many triangles what is painted all over is made smooth within a part of a frame: 5 ms.
-constexpr std::size_t kPaintedAtOnce = 4'000;
+constexpr std::size_t kPaintedAtOnce = 2'000;
 
 bool paintTakesTime(const SceneObject& object, const World& previous) {
     if (!object.visible || !object.geometry || object.geometry->triangles.size() < kPaintedAtOnce)

@@ -39,10 +39,11 @@ public:
 
     CarryReport run() noexcept {
         letGoOfJumps();
-        ride_ = strongestHold();
+        const Contact* hold = strongestHold();
+        ride_ = motionUnder(hold);
         report_.start = state_.position;
-        // How fast a texture passes is seen from the body, whether or not that takes the proxy along.
-        if (const auto seenFrom = ride_ ? ride_ : strongestPush()) {
+        // Where nothing rubs it is still seen from the body how fast a texture passes.
+        if (const auto seenFrom = hold ? ride_ : motionUnder(strongestPush())) {
             report_.start = seenFrom->carried(state_.position);
             state_.finger = seenFrom->carried(state_.finger);
         }
@@ -90,8 +91,8 @@ private:
         state_.passedCount = int(std::remove_if(all.begin(), all.end(), gone) - all.begin());
     }
 
-    // Of all contacts that push, the one that could bear most tangential force. On a body at rest: none.
-    std::optional<BodyMotion> strongestHold() noexcept {
+    // Of all contacts that push, the one that could bear most tangential force.
+    const Contact* strongestHold() noexcept {
         const Contact* best = nullptr;
         double most = 0;
         for (const Contact& contact : contacts()) {
@@ -100,17 +101,18 @@ private:
                 contact.lambda > 0 ? limit.coefficient * contact.lambda + limit.lag * kHandSpeed : 0;
             if (hold > most) most = hold, best = &contact;
         }
-        return motionUnder(best);
+        return best;
     }
 
-    // Of what the proxy is pressed against the most. On a body at rest: none.
-    std::optional<BodyMotion> strongestPush() noexcept {
+    // What the proxy is pressed against the most.
+    const Contact* strongestPush() noexcept {
         const Contact* best = nullptr;
         for (const Contact& contact : contacts())
             if (contact.lambda > (best ? best->lambda : 0)) best = &contact;
-        return motionUnder(best);
+        return best;
     }
 
+    // On a body at rest: none.
     std::optional<BodyMotion> motionUnder(const Contact* contact) const noexcept {
         if (!contact || !moves(contact->body)) return std::nullopt;
         return movers_.of(obstacles_[contact->body].mover);

@@ -19,6 +19,8 @@ constexpr double kOnPlane = 1e-9;
 constexpr double kHovering = 4 * kSkin;
 // Two pairs of planes cross where the product of their sines is above this.
 constexpr double kCrossing = 1e-4;
+// What is felt of one face goes on over others whose normal has at least this cosine with its own.
+constexpr double kHardlyLeans = 0.95;
 constexpr double kFarthest = 2;
 // A slide is good whose end wishes no more than this part of it back.
 constexpr double kOvershoot = 0.001;
@@ -225,7 +227,9 @@ bool FeltPasses::alongOneNormal(const Vec3& u) noexcept {
     }
     pushing_ = before;
     for (std::size_t i = 0; i < true_.size(); ++i)
-        if (i != owner && alongTheFeltNormal(u, alone, i)) return true;
+        if (i != owner && true_[i].normal.dot(true_[owner].normal) > kHardlyLeans &&
+            alongTheFeltNormal(u, alone, i))
+            return true;
     return false;
 }
 

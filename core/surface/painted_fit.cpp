@@ -18,6 +18,8 @@ using Terms = Eigen::Matrix<double, kTerms, 1>;
 constexpr int kRings = 3, kRingsAtARim = 5;
 constexpr std::array<double, kRingsAtARim + 1> kWeight{0, 1, 0.25, 0.0625, 0.0625, 0.0625};
 
+// By so much of the range of the values around it an ordinate beside a place may lie beyond them.
+constexpr double kMargin = 0.3;
 // Added to the squares of the coefficients, for lengths of one: what corners leave open stays zero, first of
 // all what is cubic.
 constexpr double kLinearStays = 1e-14, kSquareStays = 1e-9, kCubicStays = 1e-7;
@@ -46,15 +48,35 @@ PaintedFit PaintedFitter::at(Index place) {
     for (const Sample& sample : samples_) {
         const Terms terms = termsAt(even * sample.at);
         const double weight = kWeight[std::size_t(sample.ring)];
-        squares += weight * terms * terms.transpose();
+        squares.selfadjointView<Eigen::Lower>().rankUpdate(terms, weight);
         sums += weight * sample.rise * terms;
     }
     const Terms fit = squares.ldlt().solve(sums);
     Mat2 bend;
     bend << fit[2], fit[3], fit[3], fit[4];
     const Eigen::Matrix<double, 3, 2> back = plane * even.transpose();
-    const PaintedFit result{back * fit.head<2>(), back * bend * back.transpose()};
+    const Vec2 plain = area_ > 0 ? Vec2(flux_ / area_) : Vec2(0, 0),
+               curved = even.transpose() * fit.head<2>() - plain;
+    const double part = curved.allFinite() ? partWithin(plain, curved) : 0;
+    const PaintedFit result{plane * (plain + part * curved), part * back * bend * back.transpose()};
     return result.rise.allFinite() && result.bend.allFinite() ? result : PaintedFit{};
+}
+
+// How much of what a fit has beyond the mean slope counts: on the way to no corner may it lead beyond all
+// values there by more than a part of their range. Corners that lie on one circle, as around the middle of a
+// lid, or on one side, leave a slope across them nearly open.
+double PaintedFitter::partWithin(const Vec2& plain, const Vec2& curved) const {
+    double low = 0, high = 0, part = 1;
+    for (const Sample& sample : samples_)
+        if (sample.ring == 1) low = std::min(low, sample.rise), high = std::max(high, sample.rise);
+    const double margin = kMargin * (high - low);
+    for (const Sample& sample : samples_) {
+        if (sample.ring != 1) continue;
+        const double from = plain.dot(sample.at) / 3, more = curved.dot(sample.at) / 3;
+        const double room = more > 0 ? high + margin - from : from - low + margin;
+        if (std::abs(more) > room) part = std::min(part, std::max(0.0, room) / std::abs(more));
+    }
+    return part;
 }
 
 bool PaintedFitter::isLevelAt(Index place) const {
@@ -81,6 +103,8 @@ Eigen::Matrix2d PaintedFitter::evenly() const {
 
 void PaintedFitter::gather(Index place, const Eigen::Matrix<double, 3, 2>& plane) {
     samples_.clear();
+    flux_ = Vec2::Zero();
+    area_ = 0;
     place_ = place;
     rings_ = isAtARim(place) ? kRingsAtARim : kRings;
     const Vec3 normal = ground_.normal[place].cast<double>();
@@ -99,8 +123,18 @@ void PaintedFitter::gather(Index place, const Eigen::Matrix<double, 3, 2>& plane
             at[i] = plane.transpose() * turned(corners[i] - corners[own], across, normal);
             if (i != own) take(corner[i], at[i], 1);
         }
-        beyond(triangle, at, (own + 1) % 3, 2);
+        const std::size_t next = (own + 1) % 3, last = (own + 2) % 3;
+        addFlat(at[next], values_[corner[next]] - here_, at[last], values_[corner[last]] - here_);
+        beyond(triangle, at, next, 2);
     }
+}
+
+// The slope of the linear surface on a triangle, weighted by its area: `p` and `q` are its other corners.
+void PaintedFitter::addFlat(const Vec2& p, double riseP, const Vec2& q, double riseQ) {
+    const double area = p.x() * q.y() - p.y() * q.x();
+    const Vec2 flux(riseP * q.y() - riseQ * p.y(), riseQ * p.x() - riseP * q.x());
+    flux_ += std::copysign(1.0, area) * flux;
+    area_ += std::abs(area);
 }
 
 void PaintedFitter::beyond(Index triangle, const Corners& at, std::size_t side, int ring) {

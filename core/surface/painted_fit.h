@@ -37,8 +37,10 @@ private:
     };
 
     void gather(Index place, const Eigen::Matrix<double, 3, 2>& plane);
+    void addFlat(const Vec2& p, double riseP, const Vec2& q, double riseQ);
     void beyond(Index triangle, const Corners& at, std::size_t side, int ring);
     void take(Index position, const Vec2& at, int ring);
+    double partWithin(const Vec2& plain, const Vec2& curved) const;
     bool isLevelAt(Index place) const;
     bool isAtARim(Index place) const;
     Eigen::Matrix2d evenly() const;
@@ -49,6 +51,8 @@ private:
     Index place_ = 0;
     int rings_ = 0;
     double here_ = 0;
+    Vec2 flux_ = Vec2::Zero(); ///< of the slopes of the triangles around the place, by their areas
+    double area_ = 0;
     std::vector<Sample> samples_;
 };
 

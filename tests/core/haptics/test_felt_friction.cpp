@@ -113,6 +113,8 @@ private slots:
     void nothingCreepsIntoAFold_data();
     void nothingCreepsIntoAFold();
     void aStrokeFollowsASharpEdge();
+    void aFoldHoldsNoMoreThanItsFaces();
+    void aFloorHoldsBesideAWallThatMoves();
     void aTextureIsSeenFromItsBody_data();
     void aTextureIsSeenFromItsBody();
 };
@@ -256,8 +258,8 @@ void FeltFrictionTest::aStrokeFollowsASharpEdge() {
     const double half = std::numbers::sqrt2 / 2;
     const Vec3 a = kLength * Vec3(-half, 0, -half), b = kLength * Vec3(half, 0, -half);
     SoupBuilder builder;
-    for (double y = -kLength; y < kLength - 0.5 * kCut; y += kCut) {
-        const Vec3 here(0, y, 0), next(0, y + kCut, 0);
+    for (int i = -10; i < 10; ++i) {
+        const Vec3 here(0, i * kCut, 0), next(0, (i + 1) * kCut, 0);
         builder.triangle(a + here, here, next).triangle(a + here, next, a + next);
         builder.triangle(here, b + here, b + next).triangle(here, b + next, next);
     }
@@ -270,6 +272,63 @@ void FeltFrictionTest::aStrokeFollowsASharpEdge() {
     for (double y = 0; y < 12e-3; y += kSpeed * kMillisecond) {
         hand.to(at(y, kDeep));
         COMPARE_NEAR(hand.output().force, Vec3(0, 0, kStiffness.initial * kDeep), 1e-3, "N");
+    }
+}
+
+// Along the bottom of a shaded right angle both walls push: friction is that of what both push along
+// the normal of one, no more. Faces that lean away from each other do not feel as one another.
+void FeltFrictionTest::aFoldHoldsNoMoreThanItsFaces() {
+    constexpr double kLength = 0.05, kCut = 5e-3, kWide = 5e-3, kDeep = 1e-3, kSpeed = 0.15, kFriction = 0.8;
+    const double half = 45 * kPi / 180, sine = std::sin(half), cosine = std::cos(half);
+    const Vec3 a = kLength * Vec3(-cosine, 0, sine), b = kLength * Vec3(cosine, 0, sine);
+    SoupBuilder builder;
+    for (int i = -10; i < 10; ++i) {
+        const Vec3 here(0, i * kCut, 0), next(0, (i + 1) * kCut, 0);
+        builder.triangle(a + here, here, next).triangle(a + here, next, a + next);
+        builder.triangle(here, b + here, b + next).triangle(here, b + next, next);
+    }
+    Scene scene = sceneOf(builder.build(), rough(kFriction, kFriction), kWide);
+    scene.objects[0].surfaces[0].shading = {true, NormalSource::Computed};
+    Hand hand(compile(scene).value());
+    const double finger = (kWide - kDeep) / sine;
+    for (int i = 0; i <= 180; ++i)
+        hand.to(Vec3(0, 0, finger + 3e-3 * std::max(0.0, 1 - i / 150.0)));
+    // Each wall pushes by the same, and a little along the normal of the other.
+    const double each = kDeep / (2 * sine * sine), both = each * (1 + sine * sine - cosine * cosine);
+    const double most = kFriction * kStiffness.initial * both;
+    for (double y = 0; y < 12e-3; y += kSpeed * kMillisecond) {
+        hand.to(Vec3(0, y, finger) + 1e-9 * b.normalized()); // not quite on the axis
+        const double held = -hand.output().force.y();
+        QCOMPARE_LT(held, 1.01 * most);
+        if (y > 2 * kFriction * both) QCOMPARE_GT(held, 0.99 * most);
+    }
+}
+
+// A wall without friction that moves by: to the floor, which holds, the proxy is at rest.
+void FeltFrictionTest::aFloorHoldsBesideAWallThatMoves() {
+    constexpr double kStatic = 1, kDynamic = 0.3, kFloorDepth = 2e-3, kWallDepth = 3e-3;
+    const Soup wall = SoupBuilder()
+                          .triangle({0, -0.5, -0.1}, {0, 0.5, -0.1}, {0, 0.5, 0.1})
+                          .triangle({0, -0.5, -0.1}, {0, 0.5, 0.1}, {0, -0.5, 0.1})
+                          .build();
+    for (const double speed : {0.0, 0.01, 0.1}) {
+        const Scene scene =
+            sceneOf({bodyOf(sheet(0.5), rough(kStatic, kDynamic)),
+                     bodyOf(wall, frictionless(), speed > 0 ? sliding({0, speed, 0}) : nullptr)},
+                    kRadius);
+        Hand hand(compile(scene).value());
+        const auto at = [&](double y) { return Vec3(kRadius - kWallDepth, y, kRadius - kFloorDepth); };
+        hand.to(Vec3(5e-3, 0, 5e-3));
+        hand.go(at(0), 0.05);
+        hand.go(at(5e-3), 0.05); // it slides
+        for (int i = 0; i < 400; ++i)
+            hand.to(hand.finger()); // and comes to rest
+        double strongest = 0;
+        for (double y = 5e-3; y < 9e-3; y += 5e-6) {
+            hand.to(at(y));
+            strongest = std::max(strongest, std::abs(hand.output().force.y()));
+        }
+        COMPARE_NEAR(strongest, kStatic * kStiffness.initial * kFloorDepth, 0.02, "N");
     }
 }
 
