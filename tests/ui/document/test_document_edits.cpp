@@ -21,8 +21,6 @@ using namespace tactum::test;
 
 namespace {
 
-constexpr SurfaceRef kLid{1, 0}, kFloor{1, 1}, kTop{2, 0};
-
 /// The known scene, with a group of two more plates of which one is locked.
 Scene fullScene() {
     Scene scene = knownScene();

@@ -119,6 +119,15 @@ inline Scene knownScene() {
     return scene;
 }
 
+inline constexpr SurfaceRef kLid{1, 0}, kFloor{1, 1}, kTop{2, 0}; ///< of the known scene
+
+inline TextureLayer layerOf(const char* name, TextureSource source) {
+    TextureLayer layer;
+    layer.name = name;
+    layer.pattern.source = source;
+    return layer;
+}
+
 /// A document with a scene that came from no file, of which nothing is selected.
 inline void adopt(Document& document, const Scene& scene, std::vector<Finding> findings = {}) {
     document.adoptRecovered({scene, std::move(findings), true}, FileStamp(), true);

@@ -25,15 +25,6 @@ using namespace tactum::test;
 
 namespace {
 
-constexpr SurfaceRef kLid{1, 0}, kFloor{1, 1}, kTop{2, 0};
-
-TextureLayer layerOf(const char* name, TextureSource source) {
-    TextureLayer layer;
-    layer.name = name;
-    layer.pattern.source = source;
-    return layer;
-}
-
 /// What a person and other programs do to a scene, one after the other.
 class Edits {
 public:

@@ -35,15 +35,6 @@ using namespace tactum::test;
 
 namespace {
 
-constexpr SurfaceRef kLid{1, 0}, kFloor{1, 1}, kTop{2, 0};
-
-TextureLayer layerOf(const char* name, TextureSource source) {
-    TextureLayer layer;
-    layer.name = name;
-    layer.pattern.source = source;
-    return layer;
-}
-
 /// Three, from the bottom: noise, grooves that are off, dots for the friction.
 TextureLayers three() {
     TextureLayers layers{layerOf("Noise", TextureSource::Noise), layerOf("Grooves", TextureSource::Grooves),

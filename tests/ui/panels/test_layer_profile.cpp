@@ -21,7 +21,6 @@ using namespace tactum::test;
 
 namespace {
 
-constexpr SurfaceRef kLid{1, 0}, kFloor{1, 1}, kTop{2, 0};
 constexpr double kPeriod = 8e-3, kHeight = 2e-4; // m
 
 TextureLayer cosineAlongX(TextureTarget target = TextureTarget::Height, double strength = kHeight) {

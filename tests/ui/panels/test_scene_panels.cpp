@@ -46,8 +46,6 @@ using namespace tactum::test;
 
 namespace {
 
-constexpr SurfaceRef kLid{1, 0}, kFloor{1, 1}, kTop{2, 0};
-
 /// The known scene in an outliner that can be clicked.
 struct ListedScene {
     ListedScene() {
