@@ -17,6 +17,8 @@ namespace {
 constexpr double kOnPlane = 1e-9;
 // What the proxy hovers over, by this part of the radius more than over the nearest, is not felt yet.
 constexpr double kHovering = 4 * kSkin;
+// In a corner it is, nearer than this part: as far as a sweep foresees.
+constexpr double kInACorner = 1e-2;
 // Two pairs of planes cross where the product of their sines is above this.
 constexpr double kCrossing = 1e-4;
 // What is felt of one face goes on over others whose normal has at least this cosine with its own.
@@ -45,11 +47,6 @@ const NearestPoint& FeltPasses::at(const Vec3& centre, bool ahead) noexcept {
     double touching = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < on_->contacts.size(); ++i)
         touching = std::max(touching, locate(i, ahead));
-    for (std::size_t i = 0; i < on_->contacts.size(); ++i)
-        if (true_[i].offset >= touching - kHovering * on_->radius)
-            look(i);
-        else
-            rub(i);
     const Vec3 u = on_->finger - centre;
     result_ = {};
     if (isAboveAll(u)) {
@@ -57,9 +54,34 @@ const NearestPoint& FeltPasses::at(const Vec3& centre, bool ahead) noexcept {
         pushing_ = {};
         return result_;
     }
-    pushing_ = nearestPoint(u, felt_.all());
-    if (!alongOneNormal(u) && !alongBothNormals(u)) secondPass(pushing_.x);
+    for (std::size_t i = 0; i < on_->contacts.size(); ++i)
+        if (true_[i].offset >= touching - kHovering * on_->radius) look(i);
+    const bool known = endsKnown(u) || (lookIntoCorner(u, touching) && endsKnown(u)) || goesOnOverAnother(u);
+    if (!known) secondPass(pushing_.x);
+    for (std::size_t i = 0; i < on_->contacts.size(); ++i)
+        if (result_.lambda[i] > 0 && !isLookedAt(i)) rub(i);
     return result_;
+}
+
+// The first pass, and whether it says where all of them end.
+bool FeltPasses::endsKnown(const Vec3& u) noexcept {
+    pushing_ = nearestPoint(u, felt_.all());
+    return alongOneNormal(u) || alongBothNormals(u);
+}
+
+// In a corner what the proxy is about to touch holds it as well, and is felt. Says whether there is any.
+bool FeltPasses::lookIntoCorner(const Vec3& u, double touching) noexcept {
+    const NearestPoint plain = nearestPoint(u, true_.all());
+    const std::size_t before = felt_.size();
+    for (std::size_t i = 0; i < on_->contacts.size(); ++i) {
+        const bool isNear = true_[i].offset >= touching - kInACorner * on_->radius;
+        if (plain.active > 1 && plain.lambda[i] > 0 && isNear && !isLookedAt(i)) look(i);
+    }
+    return felt_.size() > before;
+}
+
+bool FeltPasses::isLookedAt(std::size_t i) const noexcept {
+    return std::ranges::find(owner_.all(), i) != owner_.all().end();
 }
 
 void FeltPasses::clear() noexcept {
@@ -213,12 +235,11 @@ bool FeltPasses::isAboveAll(const Vec3& u) noexcept {
 }
 
 // Where one felt plane pushes alone. Where faces hardly lean from each other the finger's end is mostly over
-// another face than the proxy: there it is that one's plane, with what is felt of it, or where that is not
-// known yet with what is felt here.
+// another face than the proxy: there it is that one's plane, with what is felt of it.
 bool FeltPasses::alongOneNormal(const Vec3& u) noexcept {
     if (theOnlyPlane() < 0) return false;
-    const auto alone = std::size_t(theOnlyPlane()), owner = std::size_t(owner_[alone]);
-    if (alongTheFeltNormal(u, alone, owner)) return true;
+    const auto alone = std::size_t(theOnlyPlane());
+    if (alongTheFeltNormal(u, alone, owner_[alone])) return true;
     const NearestPoint before = pushing_;
     for (std::size_t j = 0; j < felt_.size(); ++j) {
         if (j == alone) continue;
@@ -226,8 +247,15 @@ bool FeltPasses::alongOneNormal(const Vec3& u) noexcept {
         if (alongTheFeltNormal(u, j, owner_[j])) return true;
     }
     pushing_ = before;
+    return false;
+}
+
+// Where what is felt of it is not known yet: with what is felt here.
+bool FeltPasses::goesOnOverAnother(const Vec3& u) noexcept {
+    if (theOnlyPlane() < 0) return false;
+    const auto alone = std::size_t(theOnlyPlane()), owner = std::size_t(owner_[alone]);
     for (std::size_t i = 0; i < true_.size(); ++i)
-        if (i != owner && true_[i].normal.dot(true_[owner].normal) > kHardlyLeans &&
+        if (!isLookedAt(i) && true_[i].normal.dot(true_[owner].normal) > kHardlyLeans &&
             alongTheFeltNormal(u, alone, i))
             return true;
     return false;

@@ -89,7 +89,11 @@ private:
     void add(std::size_t owner, const Vec3& normal) noexcept;
     bool isAboveAll(const Vec3& u) noexcept;
     int theOnlyPlane() const noexcept;
+    bool endsKnown(const Vec3& u) noexcept;
+    bool lookIntoCorner(const Vec3& u, double touching) noexcept;
+    bool isLookedAt(std::size_t i) const noexcept;
     bool alongOneNormal(const Vec3& u) noexcept;
+    bool goesOnOverAnother(const Vec3& u) noexcept;
     bool alongTheFeltNormal(const Vec3& u, std::size_t j, std::size_t i) noexcept;
     bool alongBothNormals(const Vec3& u) noexcept;
     std::array<std::size_t, 2> bothPlanes() const noexcept;
