@@ -47,6 +47,25 @@ Scene sceneOf(TriangleSoup soup) {
     return scene;
 }
 
+// The whole scene as one soup in the world frame.
+TriangleSoup soupOf(const Scene& scene) {
+    TriangleSoup all;
+    for (const SceneObject& object : scene.objects) {
+        const Index first = Index(all.positions.size());
+        for (const Vec3& p : object.geometry->positions)
+            all.positions.push_back(object.pose.apply(p));
+        for (const auto& t : object.geometry->triangles)
+            all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+    all.surfaceOf.assign(all.triangles.size(), 0);
+    return all;
+}
+
+bool isMesh(const fs::path& file, bool withFinger) {
+    if (withFinger) return file.extension() == ".obj" && fs::exists(fs::path(file).replace_extension(".csv"));
+    return file.extension() == ".obj" || file.extension() == ".ply";
+}
+
 bool writeFinger(const std::vector<FingerPoint>& finger, const fs::path& file) {
     std::string text = "t,x,y,z\n";
     char row[128];
@@ -63,7 +82,8 @@ bool writeFinger(const std::vector<FingerPoint>& finger, const fs::path& file) {
 } // namespace
 
 void Selection::addOptions(CLI::App& app) {
-    app.add_option("--folder", folder, "meshes NAME.obj, each with its finger NAME.csv")
+    app.add_option("--folder", folder,
+                   fingers ? "meshes NAME.obj, each with its finger NAME.csv" : "meshes NAME.obj or NAME.ply")
         ->check(CLI::ExistingDirectory)
         ->envname("TACTUM_BENCH_MESHES");
     app.add_option("--only", only, "only meshes with this in their name");
@@ -72,18 +92,17 @@ void Selection::addOptions(CLI::App& app) {
 
 std::vector<Subject> subjectsOf(const Selection& selection) {
     std::vector<Subject> subjects;
-    auto isWanted = [&](const Subject& s) { return s.name.find(selection.only) != std::string::npos; };
     if (!selection.folder.empty())
         for (const auto& entry : fs::directory_iterator(selection.folder)) {
             const Subject subject{entry.path().stem().string(), entry.path(), {}};
-            const bool isMesh = entry.path().extension() == ".obj" &&
-                                fs::exists(fs::path(entry.path()).replace_extension(".csv"));
-            if (isMesh && isWanted(subject)) subjects.push_back(subject);
+            if (isMesh(entry.path(), selection.fingers) && selection.isWanted(subject.name))
+                subjects.push_back(subject);
         }
     std::ranges::sort(subjects, {}, &Subject::name);
     for (const GeneratedShape& shape : generatedShapes()) {
         const Subject subject{shape.name(), {}, shape};
-        if (shape.triangles() <= selection.largest && isWanted(subject)) subjects.push_back(subject);
+        if (shape.triangles() <= selection.largest && selection.isWanted(subject.name))
+            subjects.push_back(subject);
     }
     return subjects;
 }
@@ -105,6 +124,14 @@ Result<Opened> open(const Subject& subject) {
 Result<Opened> openQuickly(const Subject& subject) {
     if (!subject.shape) return open(subject);
     return Opened{sceneOf(soupOf(*subject.shape)), fingerOver(subject.shape->family), 0};
+}
+
+Result<TriangleSoup> meshOf(const Subject& subject) {
+    if (subject.shape) return soupOf(*subject.shape);
+    auto loaded = loadScene(subject.file);
+    if (!loaded) return tl::unexpected(loaded.error());
+    fitDiagonal(loaded->scene, kHandDiagonal);
+    return soupOf(loaded->scene);
 }
 
 std::vector<fs::path> writeSubjects(const Selection& selection, const fs::path& folder) {

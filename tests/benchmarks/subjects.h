@@ -1,4 +1,4 @@
-// What is measured: the meshes of a folder, each with its finger, and generated ones in many sizes.
+// What is measured: the meshes of a folder, mostly each with its finger, and generated ones in many sizes.
 #pragma once
 
 #include <filesystem>
@@ -19,11 +19,13 @@ namespace tactum::bench {
 
 /// Which meshes; the same options in every benchmark.
 struct Selection {
-    std::filesystem::path folder;  ///< of NAME.obj with NAME.csv; empty for none
+    std::filesystem::path folder;  ///< of meshes; empty for none
+    bool fingers = true;           ///< of the folder each NAME.obj with a NAME.csv; else all of .obj and .ply
     std::string only;              ///< part of a mesh's name
     std::size_t largest = 1200000; ///< triangles of a generated mesh
 
     void addOptions(CLI::App& app);
+    bool isWanted(const std::string& name) const { return name.find(only) != std::string::npos; }
 };
 
 struct Subject {
@@ -43,6 +45,8 @@ struct Opened {
 Result<Opened> open(const Subject& subject);
 /// Without a file where there is none.
 Result<Opened> openQuickly(const Subject& subject);
+/// The triangles alone, scaled to a diagonal of 0.2 m about the origin. No finger is asked for.
+Result<TriangleSoup> meshOf(const Subject& subject);
 
 /// Writes each generated mesh as NAME.ply with its finger NAME.csv, so that other programs can be measured on
 /// the same. Returns what could not be written.

@@ -13,7 +13,20 @@ namespace tactum::bench {
 
 namespace {
 
-std::string text(const char* format, ...) __attribute__((format(printf, 1, 2)));
+std::string microseconds(double ns) {
+    return text(ns < 99950 ? "%.2f" : "%.0f", ns / 1000);
+}
+
+// The model of the processor as Linux says it.
+std::string processor() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string row; std::getline(info, row);)
+        if (row.starts_with("model name")) return row.substr(row.find(':') + 2);
+    return "unknown processor";
+}
+
+} // namespace
+
 std::string text(const char* format, ...) {
     char buffer[256];
     va_list arguments;
@@ -30,7 +43,6 @@ std::string line(const std::vector<std::string>& cells) {
     return all + "\n";
 }
 
-// Names to the left, numbers to the right.
 std::string head(const std::vector<std::string>& names, std::size_t words) {
     std::vector<std::string> rule(names.size(), "--:");
     std::fill(rule.begin(), rule.begin() + std::ptrdiff_t(words), ":--");
@@ -43,20 +55,6 @@ std::string grouped(std::size_t number) {
         digits.insert(i - 3, ",");
     return digits;
 }
-
-std::string microseconds(double ns) {
-    return text(ns < 99950 ? "%.2f" : "%.0f", ns / 1000);
-}
-
-// The model of the processor as Linux says it.
-std::string processor() {
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string row; std::getline(info, row);)
-        if (row.starts_with("model name")) return row.substr(row.find(':') + 2);
-    return "unknown processor";
-}
-
-} // namespace
 
 std::string speedTable(const std::vector<Figures>& all) {
     std::string table = head({"mesh", "feel", "triangles", "load s", "build s", "bytes/tri", "mean us",
