@@ -70,6 +70,7 @@ private:
     bool rubs() noexcept;
     double frictionAllows(const Vec3& way, double excess) noexcept;
     bool isHeld(const Pushes& pushing, const Vec3& way, double excess) noexcept;
+    bool holdsOn(std::uint32_t body, Index triangle, const Vec3& place) noexcept;
     Vec3 towardTheCone(const Vec3& drop, const Vec3& along, double part) noexcept;
     static double heldBack(const Vec3& along, const Vec3& slide) noexcept;
     Vec3 leanOfTheFelt() noexcept;

@@ -64,6 +64,18 @@ bool Step::isHeld(const Pushes& pushing, const Vec3& way, double excess) noexcep
     return held;
 }
 
+// Whether friction of what is met would hold the proxy there, by itself.
+bool Step::holdsOn(std::uint32_t body, Index triangle, const Vec3& place) noexcept {
+    Contact contact;
+    contact.body = body;
+    contact.triangle = triangle;
+    tactum::locate(contact, obstacles_, movers_, radius_, place);
+    const Vec3 wish = finger_ - place;
+    const double depth = -wish.dot(contact.normal);
+    const double coefficient = frictionLimit(obstacles_[body].material(triangle), true).coefficient;
+    return (wish + depth * contact.normal).norm() < coefficient * depth;
+}
+
 // How far the proxy goes, after `drop`, of a wish of which friction allows a part. Friction stands against
 // the way on the felt slope; the wish, which ends where the felt normal leads onto the true plane, reaches
 // too far up and down that slope, by the square of its sine s. While the proxy goes on what is left of the

@@ -141,8 +141,8 @@ bool Step::round() noexcept {
     const double excess = along.norm();
     // Nor does a step end beside what is pressed, in the middle of a long slide: its last round only goes
     // down.
-    const bool cutShort = rubbing && excess > rest_ && rounds_ == mostRounds_;
-    const double slide = excess > rest_ && !cutShort ? frictionAllows(along / excess, excess) : 0;
+    bool onlyDown = rubbing && excess > rest_ && rounds_ == mostRounds_;
+    const double slide = excess > rest_ && !onlyDown ? frictionAllows(along / excess, excess) : 0;
     // Friction that lets go entirely is none; the last rounds take no risks.
     const bool bold = rounds_ < mostRounds_ - 2;
     const bool free = slide == excess && bold;
@@ -150,20 +150,28 @@ bool Step::round() noexcept {
     Vec3 motion = felt_  ? alongFelt(drop, allowed, heldBack(along, allowed), bold)
                   : free ? alongCurvature(wish, wish.norm())
                          : Vec3(drop + allowed);
-    if (motion.norm() <= rest_) return cutShort;
-    const bool takesTime = slide < excess && isViscous();
+    if (motion.norm() <= rest_) return onlyDown;
     // A curved step is a guess: where it led onto a flat face it went too far, and the next round says
     // so.
     const bool settles = felt_ && free && addKnownRest(motion);
     guessed_ = felt_ ? !settles && motion.norm() > settled() : free && motion != wish;
     std::uint32_t body = kNoBody;
-    const SweepHit hit = sweep(motion, body);
+    SweepHit hit = sweep(motion, body);
+    // By the cone of what it is pressed against, and has left, it would go too far: first down.
+    const bool comesDown = !felt_ && !free && slide > 0 && drop.norm() > rest_;
+    if (comesDown && body != kNoBody && holdsOn(body, hit.triangle, state_.position + hit.t * motion)) {
+        onlyDown = true;
+        motion = drop;
+        body = kNoBody;
+        hit = sweep(motion, body);
+    }
+    const bool takesTime = slide < excess && !onlyDown && isViscous();
     const double part = std::min(hit.t, 1.0);
     goTo(state_.position + part * motion);
     if (part * motion.norm() > rest_) forgetInactive();
     const bool planesTurned = refreshContacts();
     if (body != kNoBody) {
-        timeLeft_ *= 1 - part;
+        if (!onlyDown) timeLeft_ *= 1 - part;
         if (!meet(body, hit.triangle)) return false;
         foresee(body, hit);
         return true;
@@ -178,7 +186,7 @@ bool Step::round() noexcept {
     if (takesTime) timeLeft_ = 0;
     if (settles) return !passes_->settleAsLooked(state_, feltContacts());
     if (felt_) return guessed_ || state_.contactCount == 0;
-    return planesTurned || guessed_ || cutShort || (rubbing && hovers());
+    return planesTurned || guessed_ || onlyDown || (rubbing && hovers());
 }
 
 // A proxy that was squeezed leaves the surfaces as soon as there is room, by the shortest way: friction

@@ -107,9 +107,10 @@ void FrictionCurvedTest::aSlideStaysOnTheSurface() {
           part(0.5), part(0.99), part(1), rounds);
     QCOMPARE_LT(worstGap, 1e-8);
     COMPARE_NEAR(part(0.5), kMu, 1e-4 * kMu, "");
-    // Between facets that hardly lean, the one slid past may be 0.4 um higher: measured 1.3 % once, else
-    // below 0.6 %.
-    COMPARE_NEAR(part(0.01), kMu, 0.015 * kMu, "");
+    // Between facets that hardly lean, what is touched is known to the skin alone: 0.45 % in single ticks.
+    // When it slid on by the cone of the facet that it had left, it was 1.4 % and in every hundredth 1.2 %.
+    COMPARE_NEAR(part(0), kMu, 0.006 * kMu, "");
+    COMPARE_NEAR(part(0.01), kMu, 0.001 * kMu, "");
     COMPARE_NEAR(part(1), kMu, 0.001 * kMu, "");
 }
 
@@ -173,7 +174,7 @@ void FrictionCurvedTest::stripsRubAsTheirCylinder() {
     QCOMPARE(stops, 0);
     // Over a crease the cone turns by as much as the strips lean, which lets the proxy go on that far at
     // once; and as far as the ratio may be off.
-    constexpr double kOff = 0.008;
+    constexpr double kOff = 0.006;
     const double lean = 2 * EIGEN_PI / strips, turned = (1 + mu * mu) * lean * (1 + radius / kCylinder);
     QCOMPARE_LT(longest, kSpeed * kMillisecond + kDepth * (turned + 1.1 * kOff * mu));
     COMPARE_NEAR(part(0.5), mu, 1e-4 * mu, "");
