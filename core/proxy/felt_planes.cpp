@@ -59,7 +59,7 @@ const NearestPoint& FeltPasses::at(const Vec3& centre, bool ahead) noexcept {
     const bool known = endsKnown(u) || (lookIntoCorner(u, touching) && endsKnown(u)) || goesOnOverAnother(u);
     if (!known) secondPass(pushing_.x);
     for (std::size_t i = 0; i < on_->contacts.size(); ++i)
-        if (result_.lambda[i] > 0 && !isLookedAt(i)) rub(i);
+        if (result_.lambda[i] > 0 && !looked_[i].isFelt) rub(i);
     return result_;
 }
 
@@ -72,16 +72,13 @@ bool FeltPasses::endsKnown(const Vec3& u) noexcept {
 // In a corner what the proxy is about to touch holds it as well, and is felt. Says whether there is any.
 bool FeltPasses::lookIntoCorner(const Vec3& u, double touching) noexcept {
     const NearestPoint plain = nearestPoint(u, true_.all());
+    if (plain.active < 2) return false;
     const std::size_t before = felt_.size();
     for (std::size_t i = 0; i < on_->contacts.size(); ++i) {
         const bool isNear = true_[i].offset >= touching - kInACorner * on_->radius;
-        if (plain.active > 1 && plain.lambda[i] > 0 && isNear && !isLookedAt(i)) look(i);
+        if (plain.lambda[i] > 0 && isNear && !looked_[i].isFelt) look(i);
     }
     return felt_.size() > before;
-}
-
-bool FeltPasses::isLookedAt(std::size_t i) const noexcept {
-    return std::ranges::find(owner_.all(), i) != owner_.all().end();
 }
 
 void FeltPasses::clear() noexcept {
@@ -164,13 +161,14 @@ double FeltPasses::locate(std::size_t i, bool ahead) noexcept {
     const double distance = away.norm();
     true_.push({distance > 0 ? pose.rotate(away / distance) : contact.normal, on_->radius - distance});
     material_.push(obstacle.material(contact.triangle));
-    looked_.push({contact.body, contact.triangle, isBeyond});
+    looked_.push({contact.body, contact.triangle, isBeyond, false});
     return true_[i].offset;
 }
 
 // Its felt planes. They mean something only at the place that is touched; what the proxy hovers over has
 // its true plane in pass 2.
 void FeltPasses::look(std::size_t i) noexcept {
+    looked_[i].isFelt = true;
     const Contact& contact = on_->contacts[i];
     const Obstacle& obstacle = on_->obstacles[contact.body];
     const SurfaceFeel* feel = feelOf(obstacle, contact.triangle);
@@ -255,7 +253,7 @@ bool FeltPasses::goesOnOverAnother(const Vec3& u) noexcept {
     if (theOnlyPlane() < 0) return false;
     const auto alone = std::size_t(theOnlyPlane()), owner = std::size_t(owner_[alone]);
     for (std::size_t i = 0; i < true_.size(); ++i)
-        if (!isLookedAt(i) && true_[i].normal.dot(true_[owner].normal) > kHardlyLeans &&
+        if (!looked_[i].isFelt && true_[i].normal.dot(true_[owner].normal) > kHardlyLeans &&
             alongTheFeltNormal(u, alone, i))
             return true;
     return false;

@@ -72,6 +72,7 @@ private:
         std::uint32_t body = 0;
         Index triangle = 0;
         bool isBeyond = false; ///< on the plane of its face, beside the face itself
+        bool isFelt = false;   ///< look() was there: what it rubs with is what its layers say
     };
 
     /// `ahead`: at places that the proxy may go to, where faces that it touches count as going on beyond
@@ -91,7 +92,6 @@ private:
     int theOnlyPlane() const noexcept;
     bool endsKnown(const Vec3& u) noexcept;
     bool lookIntoCorner(const Vec3& u, double touching) noexcept;
-    bool isLookedAt(std::size_t i) const noexcept;
     bool alongOneNormal(const Vec3& u) noexcept;
     bool goesOnOverAnother(const Vec3& u) noexcept;
     bool alongTheFeltNormal(const Vec3& u, std::size_t j, std::size_t i) noexcept;

@@ -158,8 +158,8 @@ bool Step::round() noexcept {
     std::uint32_t body = kNoBody;
     SweepHit hit = sweep(motion, body);
     // By the cone of what it is pressed against, and has left, it would go too far: first down.
-    const bool comesDown = !felt_ && !free && slide > 0 && drop.norm() > rest_;
-    if (comesDown && body != kNoBody && holdsOn(body, hit.triangle, state_.position + hit.t * motion)) {
+    const bool leaves = !felt_ && !free && slide > 0 && drop.norm() > rest_ && body != kNoBody;
+    if (leaves && holdsOn(body, hit.triangle, state_.position + hit.t * motion)) {
         onlyDown = true;
         motion = drop;
         body = kNoBody;

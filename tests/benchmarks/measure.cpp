@@ -5,6 +5,7 @@
 
 #include "core/haptics/compile.h"
 #include "tests/benchmarks/one_core.h"
+#include "tests/benchmarks/subjects.h"
 
 #if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>
@@ -62,19 +63,6 @@ double meanRounds(const TouchTrace& rows) {
     return sum / double(rows.size());
 }
 
-// The whole scene as one soup in the world frame.
-TriangleSoup soupOf(const World& world) {
-    TriangleSoup all;
-    for (const Obstacle& obstacle : world.obstacles) {
-        const Index first = Index(all.positions.size());
-        for (const Vec3& p : obstacle.mesh->soup->positions)
-            all.positions.push_back(obstacle.pose.apply(p));
-        for (const auto& t : obstacle.mesh->soup->triangles)
-            all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-    }
-    return all;
-}
-
 std::size_t hierarchyBytes(const World& world) {
     std::size_t bytes = 0;
     for (const Obstacle& obstacle : world.obstacles)
@@ -120,7 +108,7 @@ Result<Figures> measure(const Scene& scene, const Effect& effect, const std::vec
     const TouchTrace fastest = fastestOf(repetitions, **world, finger);
     figures.update = updateTimes(fastest);
     figures.rounds = meanRounds(fastest);
-    if (judge) figures.exactness = test::exactnessOf(soupOf(**world), felt.proxyRadius, fastest);
+    if (judge) figures.exactness = test::exactnessOf(soupOf(felt), felt.proxyRadius, fastest);
     return figures;
 }
 

@@ -47,20 +47,6 @@ Scene sceneOf(TriangleSoup soup) {
     return scene;
 }
 
-// The whole scene as one soup in the world frame.
-TriangleSoup soupOf(const Scene& scene) {
-    TriangleSoup all;
-    for (const SceneObject& object : scene.objects) {
-        const Index first = Index(all.positions.size());
-        for (const Vec3& p : object.geometry->positions)
-            all.positions.push_back(object.pose.apply(p));
-        for (const auto& t : object.geometry->triangles)
-            all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-    }
-    all.surfaceOf.assign(all.triangles.size(), 0);
-    return all;
-}
-
 bool isMesh(const fs::path& file, bool withFinger) {
     if (withFinger) return file.extension() == ".obj" && fs::exists(fs::path(file).replace_extension(".csv"));
     return file.extension() == ".obj" || file.extension() == ".ply";
@@ -124,6 +110,19 @@ Result<Opened> open(const Subject& subject) {
 Result<Opened> openQuickly(const Subject& subject) {
     if (!subject.shape) return open(subject);
     return Opened{sceneOf(soupOf(*subject.shape)), fingerOver(subject.shape->family), 0};
+}
+
+TriangleSoup soupOf(const Scene& scene) {
+    TriangleSoup all;
+    for (const SceneObject& object : scene.objects) {
+        const Index first = Index(all.positions.size());
+        for (const Vec3& p : object.geometry->positions)
+            all.positions.push_back(object.pose.apply(p));
+        for (const auto& t : object.geometry->triangles)
+            all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+    all.surfaceOf.assign(all.triangles.size(), 0);
+    return all;
 }
 
 Result<TriangleSoup> meshOf(const Subject& subject) {

@@ -47,6 +47,8 @@ Result<Opened> open(const Subject& subject);
 Result<Opened> openQuickly(const Subject& subject);
 /// The triangles alone, scaled to a diagonal of 0.2 m about the origin. No finger is asked for.
 Result<TriangleSoup> meshOf(const Subject& subject);
+/// The whole scene as one soup of one surface, in the world frame.
+TriangleSoup soupOf(const Scene& scene);
 
 /// Writes each generated mesh as NAME.ply with its finger NAME.csv, so that other programs can be measured on
 /// the same. Returns what could not be written.
