@@ -1,19 +1,30 @@
 // The pages of a self-test: what a person is asked and told, and what their answers say. Wrong itself if a
 // page did not follow what it is given: each is asked for twice, by what is written down and by its signals.
 #include <QApplication>
+#include <QDesktopServices>
+#include <QDir>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QLabel>
+#include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QStackedWidget>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <QTreeWidget>
+#include <QUrl>
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
 #include "tests/ui/english.h"
+#include "tests/ui/fake_devices.h"
 #include "tests/ui/panels/panels.h"
+#include "ui/panels/self_test_dialog.h"
 #include "ui/panels/self_test_page.h"
 #include "ui/panels/self_test_result.h"
 
@@ -51,6 +62,55 @@ struct ShownPage {
     SelfTestPage page;
 };
 
+/// The dialog on the screen, with an arm that does as it is told.
+struct ShownDialog {
+    ShownDialog() {
+        dialog.show();
+        if (!QTest::qWaitForWindowExposed(&dialog)) qFatal("no window");
+        QObject::connect(&dialog, &SelfTestDialog::started, [this] { ++started; });
+        QObject::connect(&dialog, &QDialog::finished, [this](int how) { finished << how; });
+        QObject::connect(&dialog, &SelfTestDialog::keep, [this](const SelfTestReport& report) {
+            kept << QString::fromStdString(report.device.name);
+        });
+    }
+    void click(const char* name) { part<QPushButton>(dialog, name).click(); }
+    QString words(const char* name) { return part<QLabel>(dialog, name).text(); }
+    int page() { return dialog.findChild<QStackedWidget*>()->currentIndex(); }
+    void begin() {
+        click("self-test-start");
+        dialog.begin(std::make_unique<FakeDevice>(arm),
+                     {.rest = 0.1, .shake = 0.1, .settle = 0.1, .swings = 1, .buttons = 0.1});
+    }
+    bool isAsked() {
+        return waitFor([&] { return part<QPushButton>(dialog, "self-test-skip").isEnabled(); });
+    }
+    /// Whoever leaves everything out comes to the end.
+    bool comesToTheResult() {
+        return waitFor([&] {
+            if (auto& skip = part<QPushButton>(dialog, "self-test-skip"); skip.isEnabled()) skip.click();
+            return page() == 2;
+        });
+    }
+
+    std::shared_ptr<FakeDesk> arm = std::make_shared<FakeDesk>();
+    SelfTestDialog dialog{QStringLiteral("Example arm"), nullptr};
+    int started = 0;
+    QList<int> finished;
+    QStringList kept;
+};
+
+/// What is opened in a browser, instead of that.
+class Opened : public QObject {
+    Q_OBJECT
+public:
+    Opened() { QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "open"); }
+    ~Opened() override { QDesktopServices::unsetUrlHandler(QStringLiteral("file")); }
+    QStringList files;
+
+public slots:
+    void open(const QUrl& url) { files << url.toLocalFile(); }
+};
+
 SelfTestReport reportOf(std::vector<SelfTestFigure> figures) {
     SelfTestReport report;
     report.device = knownDevice();
@@ -62,6 +122,18 @@ SelfTestReport reportOf(std::vector<SelfTestFigure> figures) {
 
 class TestSelfTestPanels : public QObject {
     Q_OBJECT
+
+    /// Takes a folder in the dialog that asks for one, or none.
+    static void saveInto(ShownDialog& shown, const QString& folder) {
+        QTimer::singleShot(0, qApp, [&] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            if (!dialog) return;
+            if (folder.isEmpty()) return dialog->reject();
+            dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(folder);
+            QMetaObject::invokeMethod(dialog, "accept");
+        });
+        shown.click("self-test-save");
+    }
 
 public:
     static void initMain() { namePanelTest("TactumSelfTestPanels"); }
@@ -200,6 +272,114 @@ private slots:
             part<QPushButton>(result, name).click();
         QCOMPARE((QList<int>{int(keep.count()), int(show.count()), int(save.count()), int(close.count())}),
                  (QList<int>{1, 1, 1, 1}));
+    }
+
+    void theDialogSaysWhatComes() {
+        ShownDialog shown;
+        QString pages = shownIn(shown.dialog);
+        COMPARE_SHOWN(pages, "trial-dialog");
+        QCOMPARE(shown.page(), 0);
+        QVERIFY(part<QPushButton>(shown.dialog, "self-test-start").hasFocus() ||
+                part<QPushButton>(shown.dialog, "self-test-start").isDefault());
+        shown.click("self-test-leave");
+        QCOMPARE(shown.finished, QList<int>{QDialog::Rejected});
+        QCOMPARE_EQ(shown.started, 0);
+    }
+
+    void aDeviceThatIsNotThereIsSaid() {
+        ShownDialog shown;
+        shown.click("self-test-start");
+        QCOMPARE_EQ(shown.started, 1);
+        QCOMPARE(shown.page(), 1);
+        QCOMPARE(shown.words("self-test-part"), "The device is being made ready");
+        shown.dialog.fail(QStringLiteral("It is not there."));
+        QCOMPARE(shown.page(), 3);
+        QCOMPARE(shown.words("self-test-failure"), "It is not there.");
+        QVERIFY(shown.finished.isEmpty());
+        shown.click("self-test-end");
+        QCOMPARE(shown.finished, QList<int>{QDialog::Rejected});
+    }
+
+    /// Who leaves while the device is on its way leaves when it has come, and it is not begun with.
+    void whoLeavesMeanwhileLeavesAfterwards() {
+        for (const bool comes : {true, false}) {
+            ShownDialog shown;
+            shown.click("self-test-start");
+            shown.dialog.reject();
+            QVERIFY(shown.finished.isEmpty());
+            QCOMPARE(shown.words("self-test-words"), "The forces are off. The device is being closed.");
+            if (comes)
+                shown.dialog.begin(std::make_unique<FakeDevice>(shown.arm), {});
+            else
+                shown.dialog.fail(QStringLiteral("It is not there."));
+            QCOMPARE(shown.finished, QList<int>{QDialog::Rejected});
+            QCOMPARE_EQ(shown.arm->made.load(), 0);
+            QCOMPARE(shown.page(), 1);
+        }
+    }
+
+    void aRunLeadsToItsResult() {
+        QTemporaryDir folder;
+        qputenv("XDG_CACHE_HOME", folder.path().toLocal8Bit());
+        Opened opened;
+        ShownDialog shown;
+        shown.arm->go = 3;
+        shown.begin();
+        QVERIFY(shown.isAsked());
+        COMPARE_CONTAINS(shown.words("self-test-part"), "Part 1 of 6: ");
+        shown.arm->place(0.01, 0, 0);
+        QVERIFY(shown.comesToTheResult());
+        QCOMPARE_EQ(shown.arm->made.load(), 0); // it is closed
+        auto& result = *shown.dialog.findChild<SelfTestResult*>();
+        QVERIFY(result.isVisible());
+        QVERIFY(!part<QPushButton>(shown.dialog, "self-test-keep").isEnabled()); // nothing was measured
+        emit result.keepPressed();
+        QCOMPARE(shown.kept, QStringList{QStringLiteral("Example arm")});
+        shown.dialog.tellKept(QStringLiteral("They are kept."), false);
+        QCOMPARE(shown.words("self-test-told"), "They are kept.");
+        QVERIFY(!part<QLabel>(shown.dialog, "self-test-told").property("limit").toBool());
+        shown.dialog.tellKept(QStringLiteral("They are not."), true);
+        QVERIFY(part<QLabel>(shown.dialog, "self-test-told").property("limit").toBool());
+        shown.click("self-test-report");
+        QCOMPARE_EQ(opened.files.size(), 1);
+        COMPARE_CONTAINS(opened.files[0], QStringLiteral("/self-test/report.html"));
+        QVERIFY(QFileInfo::exists(opened.files[0]));
+        QCOMPARE(shown.words("self-test-told"), "They are not."); // a page that came says nothing
+        saveInto(shown, folder.path());
+        const QString date = QString::fromStdString(selfTestDate());
+        const QString place = folder.filePath(QStringLiteral("self-test-") + date);
+        QCOMPARE(shown.words("self-test-told"),
+                 QStringLiteral("The profile, the report and every tick are in %1.").arg(place));
+        QVERIFY(!QDir(place).entryList(QDir::Files).isEmpty());
+        saveInto(shown, QString());
+        QCOMPARE(shown.words("self-test-told"),
+                 QStringLiteral("The profile, the report and every tick are in %1.").arg(place));
+        shown.click("self-test-close");
+        QCOMPARE(shown.finished, QList<int>{QDialog::Accepted});
+    }
+
+    void whatEndsARunIsSaid() {
+        ShownDialog silent;
+        silent.arm->go = 3;
+        silent.begin();
+        QVERIFY(silent.isAsked());
+        silent.arm->plugged = false; // nobody else would notice between two experiments
+        QVERIFY(waitFor([&] { return silent.page() == 3; }));
+        COMPARE_BEGINS(silent.words("self-test-failure"), "Example arm gives no readings any more");
+        QVERIFY(silent.finished.isEmpty());
+        ShownDialog failing;
+        failing.arm->failAt = 0;
+        failing.begin();
+        QVERIFY(waitFor([&] { return failing.page() == 3; }));
+        QCOMPARE(failing.words("self-test-failure"), "The grip did not move: pull it all the way out.");
+        ShownDialog left;
+        left.arm->go = 3;
+        left.begin();
+        QVERIFY(left.isAsked());
+        left.click("self-test-cancel");
+        QVERIFY(waitFor([&] { return !left.finished.isEmpty(); }));
+        QCOMPARE(left.finished, QList<int>{QDialog::Rejected});
+        QCOMPARE_EQ(left.arm->made.load(), 0);
     }
 };
 
