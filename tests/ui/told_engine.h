@@ -17,6 +17,7 @@ public:
     bool runs = true;
     RecordedRun run;                                  ///< that it has recorded
     std::vector<std::shared_ptr<const World>> worlds; ///< that it was given
+    std::vector<bool> deadMen, overrides;             ///< each that it was asked for
 
     Result<void> start() override { return {}; }
     Result<void> stop() override { return {}; }
@@ -31,10 +32,10 @@ public:
     void setArmed(bool armed) override { of[chosen].armed = armed; }
     void fade() override { of[chosen].armed = false; }
     bool armed() const override { return of[chosen].armed; }
-    void setDeadMan(bool) override {}
-    bool deadMan() const override { return false; }
-    void setOverrideCeiling(bool) override {}
-    bool overridesCeiling() const override { return false; }
+    void setDeadMan(bool on) override { deadMen.push_back(on); }
+    bool deadMan() const override { return !deadMen.empty() && deadMen.back(); }
+    void setOverrideCeiling(bool on) override { overrides.push_back(on); }
+    bool overridesCeiling() const override { return !overrides.empty() && overrides.back(); }
     void push(const Vec3&) override {}
     void setGrasped(bool) override {}
     void restartProxy() override {}

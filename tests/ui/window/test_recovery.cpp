@@ -19,6 +19,7 @@
 #include "core/files/journal.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "tests/ui/window/left_journal.h"
 #include "tests/ui/window/other_run.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/document/journal.h"
@@ -44,17 +45,6 @@ const QWidget& bar(const TouchedWindow& program) {
 QString noticeOf(const TouchedWindow& program) {
     const auto* label = program.window->findChild<QLabel*>(QStringLiteral("notice-text"));
     return label->isVisible() ? label->text() : QString();
-}
-
-/// A journal as a run that ended has left it.
-fs::path leaveJournal(const Scene& scene, const std::string& title, std::int64_t edited) {
-    static std::uint64_t count = 0;
-    ProcessMark dead = ownMark();
-    dead.began = ++count; // nobody's any more
-    const fs::path folder = Journal::home() / (nameOf(dead) + "_0");
-    if (!writeJournal(folder, {.file = "/nowhere/" + title, .title = title, .edited = edited}, scene))
-        qFatal("the journal cannot be written");
-    return folder;
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
+#include <QMessageBox>
 #include <QSettings>
 #include <QUndoStack>
 
@@ -129,11 +130,15 @@ QStringList widgetsOf(const QMainWindow& window) {
         }
     const auto* notice = window.findChild<NoticeBar*>();
     if (!notice->text().isEmpty()) lines << QStringLiteral("says: ") + notice->text();
-    if (const QWidget* holds = QApplication::focusWidget())
-        lines << QStringLiteral("keys go to ") + (holds->objectName().isEmpty()
-                                                      ? QString::fromLatin1(holds->metaObject()->className())
-                                                      : holds->objectName());
     return lines;
+}
+
+QStringList keysOf() {
+    const QWidget* holds = QApplication::focusWidget();
+    if (!holds) return {};
+    return {QStringLiteral("keys go to ") + (holds->objectName().isEmpty()
+                                                 ? QString::fromLatin1(holds->metaObject()->className())
+                                                 : holds->objectName())};
 }
 
 /// What is kept for the next start; without where windows and panels are.
@@ -151,20 +156,38 @@ QStringList settings() {
 } // namespace
 
 WindowEffects::WindowEffects(TouchedWindow& program, std::function<void()> prepare)
-    : program_(program), prepare_(std::move(prepare)) {
+    : WindowEffects(
+          *program.window, program.document,
+          [&program] {
+              program.frames(1);
+              return program.caughtUp();
+          },
+          std::move(prepare)) {}
+
+WindowEffects::WindowEffects(MainWindow& window, Document& document, std::function<bool()> caughtUp,
+                             std::function<void()> prepare)
+    : window_(window), document_(document), onScreen_(!window.testAttribute(Qt::WA_DontShowOnScreen)),
+      caughtUp_(std::move(caughtUp)), prepare_(std::move(prepare)) {
     for (const Command& command : commands())
-        actions_.push_back(&program.command(command.id));
+        actions_.push_back(&commandOf(window, command.id));
     QObject::connect(&closing_, &QTimer::timeout, &closing_, [this] {
         if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
             tellOf(*dialog);
-            dialog->reject();
+            const auto answer = std::exchange(answer_, nullptr);
+            if (!answer) return dialog->reject();
+            closing_.stop(); // what the answer opens keeps the timer waiting, too
+            QTimer::singleShot(0, dialog, [this, dialog, answer] {
+                closing_.start();
+                answer(*dialog);
+            });
         }
     });
-    closing_.start(5);
+    closing_.setInterval(5);
+    closing_.start();
 }
 
 void WindowEffects::choose(const char* id) {
-    QAction& action = program_.command(id);
+    QAction& action = commandOf(window_, id);
     const QString words = QLatin1String(id);
     prepare_();
     if (!action.isEnabled()) return;
@@ -175,11 +198,11 @@ void WindowEffects::choose(const char* id) {
 
 void WindowEffects::note(const QString& words, const std::function<void()>& act) {
     prepare_();
-    auto* notice = program_.window->findChild<NoticeBar*>();
+    auto* notice = window_.findChild<NoticeBar*>();
     notice->takeBack(notice->text());
     windows_.clear();
     QApplication::clipboard()->clear();
-    QUndoStack& history = program_.document.history();
+    QUndoStack& history = document_.history();
     const int steps = history.index();
     const QStringList before = state();
     act();
@@ -196,21 +219,21 @@ void WindowEffects::note(const QString& words, const std::function<void()>& act)
 /// Until workers are done and the camera stands.
 void WindowEffects::settle() {
     QStringList last;
-    const auto& painting = *program_.window->findChild<PaintTool*>();
+    const auto& painting = *window_.findChild<PaintTool*>();
     const bool stands = test::waitFor([&] {
-        program_.frames(1);
-        const QStringList now = looksOf(program_.window->view());
-        return std::exchange(last, now) == now && !program_.document.editing() && !painting.working() &&
-               !program_.window->view().makesFelt() && program_.caughtUp();
+        const bool caughtUp = caughtUp_(); // a frame goes by, where there are loops
+        const QStringList now = looksOf(window_.view());
+        return std::exchange(last, now) == now && !document_.editing() && !painting.working() &&
+               !window_.view().makesFelt() && caughtUp;
     });
     if (!stands) qFatal("the window does not come to rest");
 }
 
 QStringList WindowEffects::state() {
-    const Document& document = program_.document;
+    const Document& document = document_;
     QStringList lines = testing::figuresOf(document.scene());
-    lines << sizesOf(document.scene()) << selectionOf(document) << looksOf(program_.window->view())
-          << widgetsOf(*program_.window) << settings();
+    lines << sizesOf(document.scene()) << selectionOf(document) << looksOf(window_.view())
+          << widgetsOf(window_) << (onScreen_ ? keysOf() : QStringList()) << settings();
     if (const QString copied = QApplication::clipboard()->text(); !copied.isEmpty())
         lines << QStringLiteral("copied: ") + copied.simplified();
     for (const QAction* action : actions_)
@@ -223,7 +246,7 @@ QStringList WindowEffects::state() {
 
 void WindowEffects::closeWindows() {
     for (QWidget* window : QApplication::topLevelWidgets())
-        if (window->isVisible() && window != program_.window.get() && window->isWindow()) {
+        if (window->isVisible() && window != &window_ && window->isWindow()) {
             tellOf(*window);
             window->close();
             settle();
@@ -239,7 +262,12 @@ void WindowEffects::tellOf(QWidget& window) {
         for (const QAction* entry : menu->actions())
             words << (entry->isSeparator() ? QStringLiteral("--")
                                            : entry->text() + (entry->isEnabled() ? "" : " (off)"));
-    else if (const auto* input = qobject_cast<QInputDialog*>(&window))
+    else if (const auto* question = qobject_cast<QMessageBox*>(&window);
+             question && !question->informativeText().isEmpty()) {
+        words << question->text() << question->informativeText();
+        for (const QAbstractButton* each : question->buttons())
+            words << each->text() + (each == question->defaultButton() ? " (Enter)" : "");
+    } else if (const auto* input = qobject_cast<QInputDialog*>(&window))
         words << input->labelText() << input->textValue();
     windows_ << words.join(QStringLiteral("; "));
 }

@@ -37,6 +37,14 @@ void unfoldPlots() {
     QSettings().setValue(QStringLiteral("window/folded"), QStringList());
 }
 
+QAction& commandOf(const MainWindow& window, const char* id) {
+    for (const QMenu* menu : window.findChildren<QMenu*>())
+        for (QAction* action : menu->actions())
+            if (action->objectName() == QLatin1String(id)) return *action;
+    qFatal("no command %s", id);
+    Q_UNREACHABLE();
+}
+
 namespace {
 
 std::unique_ptr<HapticDevice> deviceOf(const std::shared_ptr<HandTarget>& hand,
@@ -211,11 +219,7 @@ void TouchedWindow::perform(const char* id) {
 }
 
 QAction& TouchedWindow::command(const char* id) {
-    for (QMenu* menu : window->findChildren<QMenu*>())
-        for (QAction* action : menu->actions())
-            if (action->objectName() == QLatin1String(id)) return *action;
-    qFatal("no command %s", id);
-    Q_UNREACHABLE();
+    return commandOf(*window, id);
 }
 
 void TouchedWindow::type(const QString& key, const QString& value) {

@@ -28,6 +28,9 @@ void useSettingsIn(const QString& folder);
 /// For a person who wants to see the plots; before the window is made.
 void unfoldPlots();
 
+/// A command of the menus by its id.
+QAction& commandOf(const MainWindow& window, const char* id);
+
 /// For the macros of Qt Test, which wait with the patience of tests/support/patience.h whatever it says here.
 inline constexpr int kPatience = 60000; // ms
 
