@@ -3,6 +3,7 @@
 // words do not name: the pages themselves stand in test_study_panels.
 #include <QCheckBox>
 #include <QDir>
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QRegularExpression>
 #include <QSpinBox>
@@ -82,8 +83,12 @@ struct Desk {
             on += told.command(command.id).isEnabled();
         if (const QString notice = told.window->findChild<NoticeBar*>()->text(); !notice.isEmpty())
             lines << QStringLiteral("says: ") + notice;
-        lines << QStringLiteral("commands that are on: %1; menus %2; title \"%3\"")
+        int docks = 0;
+        for (const auto* dock : told.window->findChildren<QDockWidget*>())
+            docks += !dock->isHidden();
+        lines << QStringLiteral("commands that are on: %1; panels: %2; menus %3; title \"%4\"")
                      .arg(on)
+                     .arg(docks)
                      .arg(told.window->menuBar()->isHidden() ? "hidden" : "shown",
                           told.window->windowTitle());
         text += words + u'\n';
