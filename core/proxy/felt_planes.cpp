@@ -187,6 +187,7 @@ void FeltPasses::look(std::size_t i) noexcept {
     if (!feel->texture) return add(i, pose.rotate(base));
     TexturePoint point = texturePointOn(*obstacle.mesh->soup, contact.triangle, triangle, foot_[i], base);
     point.normalGradient = turning;
+    point.passing = pose.rotateInverse(on_->passing);
     const TextureFeel touch = tactum::feel(*feel->texture, point, on_->smallestFeature);
     material_[i] = modulated(material_[i], touch);
     FeltSlopes slopes;
@@ -201,9 +202,11 @@ void FeltPasses::rub(std::size_t i) noexcept {
     const Obstacle& obstacle = on_->obstacles[contact.body];
     const SurfaceFeel* feel = feelOf(obstacle, contact.triangle);
     if (!feel || !feel->texture) return;
-    const Vec3 away = poseNow(obstacle, on_->movers).rotateInverse(true_[i].normal);
-    const TexturePoint point = texturePointOn(*obstacle.mesh->soup, contact.triangle,
-                                              obstacle.triangle(contact.triangle), foot_[i], away);
+    const Pose pose = poseNow(obstacle, on_->movers);
+    TexturePoint point =
+        texturePointOn(*obstacle.mesh->soup, contact.triangle, obstacle.triangle(contact.triangle), foot_[i],
+                       pose.rotateInverse(true_[i].normal));
+    point.passing = pose.rotateInverse(on_->passing);
     material_[i] = modulated(material_[i], tactum::feel(*feel->texture, point, on_->smallestFeature));
 }
 

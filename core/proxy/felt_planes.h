@@ -24,7 +24,8 @@ struct FeltContacts {
     std::span<Contact> contacts;
     double radius = 0;
     Vec3 finger = Vec3::Zero();
-    double smallestFeature = 0; ///< of the texture, m
+    double smallestFeature = 0;  ///< of the texture, m
+    Vec3 passing = Vec3::Zero(); ///< which way the smallest that is not too fast passes, m
 };
 
 /// Whether any of the contacts is on a surface with shading or texture. Thread: real time.

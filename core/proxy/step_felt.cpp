@@ -25,9 +25,15 @@ constexpr double kLags = 20, kMaxLag = 1e5;
 // picture with finer texels than that each would be felt by the rounding of its 16 bits. A finger at rest
 // feels all others, however far the proxy just went: what is felt must not change while the proxy settles.
 FeltContacts Step::feltContacts() noexcept {
-    const double way = std::min(state_.speed, fingerVelocity_.norm()) * dt_;
-    return {obstacles_, movers_, contacts(),
-            radius_,    finger_, std::max(kStepsToAFeature * way, kFinestFeature * radius_)};
+    const double finger = fingerVelocity_.norm(), speed = std::min(state_.speed, finger),
+                 feature = kStepsToAFeature * speed * dt_;
+    return {obstacles_,
+            movers_,
+            contacts(),
+            radius_,
+            finger_,
+            std::max(feature, kFinestFeature * radius_),
+            finger > 0 ? Vec3(feature / finger * fingerVelocity_) : Vec3::Zero()};
 }
 
 // On facets that feel otherwise.

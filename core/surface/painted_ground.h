@@ -22,6 +22,8 @@ struct PaintedGround {
     std::vector<Index> place; ///< of each position the first one that lies where it does
     /// At each place, of the triangles around it, weighted by their area; zero where they have none.
     std::vector<Eigen::Vector3f> normal;
+    /// At each place how far others are: along the unit vector d the square of it is d^T S d, m^2.
+    std::vector<Eigen::Matrix3f> spread;
     /// Of each triangle the one over the edge from corner i to the next; kNothing where there is none, or
     /// more than one, or one of another surface.
     std::vector<std::array<Index, 3>> across;

@@ -21,6 +21,9 @@ struct TexturePoint {
     Mat3 normalGradient = Mat3::Zero();
     Index triangle = 0;                      ///< of the mesh: what is painted asks for it
     Vec3 weights{1.0 / 3, 1.0 / 3, 1.0 / 3}; ///< of its corners at `position`; sum 1
+    /// The smallest feature that passes slowly enough to be felt, and which way it passes, m: what is painted
+    /// is filtered along it.
+    Vec3 passing = Vec3::Zero();
 };
 
 /// The texture coordinates of a triangle's corners.

@@ -11,7 +11,7 @@
 namespace tactum {
 
 /// A place in the plane of a triangle, beside it perhaps, on the neighbour where it lies when that is turned
-/// into this plane, and so on from neighbour to neighbour, sixteen at most: as if the surface were unrolled.
+/// into this plane, and so on from neighbour to neighbour, twenty at most: as if the surface were unrolled.
 /// Where there is none it stays beside the last one. Thread: real time.
 class UnrolledPlace {
 public:
@@ -26,7 +26,7 @@ public:
     Vec3 turnedBack(Vec3 along) const noexcept;
 
 private:
-    static constexpr std::size_t kMostCrossed = 16;
+    static constexpr std::size_t kMostCrossed = 20;
 
     /// An edge, and the unit vectors across it on both sides of it, in which the way over it goes.
     struct Crossing {

@@ -80,6 +80,8 @@ private slots:
     void aPictureIsFeltAsItsFormula();
     void whatIsPaintedIsFeltAsItsFormula_data();
     void whatIsPaintedIsFeltAsItsFormula();
+    void paintThatPassesTooFastIsNotFelt_data();
+    void paintThatPassesTooFastIsNotFelt();
     void aJumpEndsWhereFrictionHolds_data();
     void aJumpEndsWhereFrictionHolds();
 };
@@ -173,6 +175,41 @@ void FeltPicturesTest::whatIsPaintedIsFeltAsItsFormula() {
                 (cells == Cells::Uneven && vertices < 50 ? 1.5 : 1.2) * formula.largestStep);
     QCOMPARE(painted.stops, 0);
     COMPARE_NEAR(painted.ratio, formula.ratio, 0.01 * friction + 1e-4, "");
+}
+
+void FeltPicturesTest::paintThatPassesTooFastIsNotFelt_data() {
+    QTest::addColumn<double>("friction");
+    QTest::addColumn<double>("turned"); // of the body, degrees
+    for (double friction : {0.0, 0.3})
+        for (double turned : {0.0, 90.0})
+            QTest::addRow("mu %g, turned by %g", friction, turned) << friction << turned;
+}
+
+// Waves of 0.4 mm, four vertices each: at 0.15 m/s 375 a second, which the steps would show as others; at a
+// fifteenth of that they are whole.
+void FeltPicturesTest::paintThatPassesTooFastIsNotFelt() {
+    QFETCH(double, friction);
+    QFETCH(double, turned);
+    const Wave wave{0.4e-3, 0.2e-6};
+    Course course = flatCourse(meshFor(0.1e-3, Cells::Long));
+    const Quat turn(Eigen::AngleAxisd(turned * kPi / 180, Vec3::UnitZ()));
+    course.motion = std::make_shared<const Motion>(
+        makeMotion({}, {Interpolation::Linear, {0}, {turn.coeffs()}, {}, {}}, 1));
+    const auto strokedAt = [&](double speed, double length) {
+        return test::stroked(course, {paintOf(wave, *course.soup)}, friction,
+                             {.radius = kRadius,
+                              .depth = 1e-3,
+                              .speed = speed,
+                              .from = -0.02,
+                              .to = -0.02 + length + 2e-3,
+                              .told = -0.02 + 2e-3},
+                             [&](const StrokeTick& tick) { return wave.slopeAt(tick.x); });
+    };
+    const WaveStroke slow = strokedAt(0.01, 4e-3), fast = strokedAt(0.15, 30e-3);
+    tell(slow, fast);
+    QCOMPARE_GT(slow.gain, 0.85); // four vertices show no more of it
+    QCOMPARE_LT(std::abs(fast.gain), 0.1);
+    QCOMPARE_LT(fast.largestStep, slow.largestStep); // six times as large without a filter
 }
 
 // Waves so sharp that a finger as deep cannot feel every place: the proxy holds before a crest, falls over it
