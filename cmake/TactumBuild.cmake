@@ -16,7 +16,7 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 # beyond the end of an array or in an optional that is empty.
 set(CMAKE_CXX_FLAGS_CHECK "-O2 -g1 -D_GLIBCXX_ASSERTIONS" CACHE STRING "" FORCE)
 set(CMAKE_C_FLAGS_CHECK "-O2 -g1" CACHE STRING "" FORCE)
-# The rooms of a haptic step ask for more (core/CMakeLists.txt): the others gain nothing and build a sixth longer.
+# The rooms of a haptic step ask for more (TACTUM_STEP_ROOMS): the others gain nothing and build a sixth longer.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG" CACHE STRING "" FORCE)
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Check CACHE STRING "" FORCE)
@@ -81,14 +81,15 @@ if(TACTUM_FUZZ)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
-# tactum_headers(NAME LINKS library... HEADERS <header>...)
-# Headers that most sources want, compiled once for all targets that tactum_unity() gives them to.
+# tactum_headers(NAME LINKS library... HEADERS <header>... [OPTIONS option...])
+# Headers that most sources want, compiled once for all targets that tactum_unity() gives them to: targets with these OPTIONS.
 function(tactum_headers name)
-  cmake_parse_arguments(H "" "" "LINKS;HEADERS" ${ARGN})
+  cmake_parse_arguments(H "" "" "LINKS;HEADERS;OPTIONS" ${ARGN})
   set(nothing "${CMAKE_BINARY_DIR}/nothing.cpp")
   file(CONFIGURE OUTPUT "${nothing}" CONTENT "")
   add_library(${name} OBJECT EXCLUDE_FROM_ALL "${nothing}")
   target_link_libraries(${name} PRIVATE tactum_options ${H_LINKS})
+  target_compile_options(${name} PRIVATE ${H_OPTIONS})
   if(TACTUM_UNITY_BATCH)
     target_precompile_headers(${name} PRIVATE ${H_HEADERS})
   endif()
@@ -115,10 +116,17 @@ function(tactum_unity target)
   endif()
 endfunction()
 
-tactum_headers(tactum_core_headers LINKS Eigen3::Eigen Threads::Threads
+set(core_headers LINKS Eigen3::Eigen Threads::Threads
   HEADERS <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <atomic> <charconv> <chrono> <cmath> <filesystem> <functional> <limits>
     <map> <memory> <numeric> <optional> <span> <string> <string_view> <tl/expected.hpp> <tuple> <utility> <variant> <vector>)
-target_include_directories(tactum_core_headers SYSTEM PRIVATE "${TL_EXPECTED_INCLUDE}")
+# The rooms of a haptic step, where every microsecond counts, are compiled by -O3 in the release build, and headers for them, too:
+# g++ keeps for a function the options that it was precompiled by, and of -O2 in -O3 nearly all of Eigen stays calls.
+set(TACTUM_STEP_ROOMS geometry collision surface paint dynamics proxy haptics safety runtime)
+tactum_headers(tactum_core_headers ${core_headers})
+tactum_headers(tactum_step_headers ${core_headers} OPTIONS -O3)
+foreach(headers tactum_core_headers tactum_step_headers)
+  target_include_directories(${headers} SYSTEM PRIVATE "${TL_EXPECTED_INCLUDE}")
+endforeach()
 
 # tactum_room(NAME SOURCES ... USES room ... PRIVATE library ... [HEADERS <header>... | READS headers])
 # One folder, one target. USES are other rooms, seen by whoever uses this one; PRIVATE are outside
@@ -134,6 +142,9 @@ function(tactum_room name)
       target_precompile_headers(${target} PRIVATE ${ROOM_HEADERS})
     elseif(ROOM_READS)
       tactum_unity(${target} ${ROOM_READS})
+    elseif(name IN_LIST TACTUM_STEP_ROOMS AND CMAKE_BUILD_TYPE STREQUAL "Release")
+      target_compile_options(${target} PRIVATE -O3)
+      tactum_unity(${target} tactum_step_headers)
     else()
       tactum_unity(${target} tactum_core_headers)
     endif()
