@@ -10,6 +10,64 @@ Quat ballOf(const Coordinates& q, int first) noexcept {
     return Quat(Eigen::Vector4d(q.segment<4>(first))).normalized();
 }
 
+/// Turns a frame about one of its own axes: the product of quaternions without what is 0.
+void turnAboutOwn(int axis, double angle, Quat& frame) noexcept {
+    const double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle);
+    double* q = frame.coeffs().data();
+    double &along = q[axis], &next = q[axis == 2 ? 0 : axis + 1], &last = q[axis == 0 ? 2 : axis - 1];
+    const double w = q[3], x = along, y = next, z = last;
+    q[3] = w * c - x * s;
+    along = w * s + x * c;
+    next = y * c + z * s;
+    last = z * c - y * s;
+}
+
+void addAt(const Vec3& arm, const Vec3& force, Vec6& all) noexcept {
+    putHalves(angular(all) + arm.cross(force), linear(all) + force, all);
+}
+
+/// The inertia of a link alone, about the origin of its island, and the force that its motion takes. `centre`
+/// is seen from that origin. By blocks: a third of the products of six numbers would be with 0.
+void addBody(double mass, const Vec3& centre, const Mat3& moments, LinkNow& now) noexcept {
+    const Vec3 w = angular(now.velocity), v = linear(now.velocity), arm = mass * centre;
+    const Mat3 about =
+        moments + mass * (centre.squaredNorm() * Mat3::Identity() - centre * centre.transpose());
+    setInertia(mass, arm, about, now.inertia);
+    const Vec3 turning = about.col(0) * w.x() + about.col(1) * w.y() + about.col(2) * w.z();
+    const Vec3 twirl(turning.x() - arm.z() * v.y() + arm.y() * v.z(),
+                     turning.y() + arm.z() * v.x() - arm.x() * v.z(),
+                     turning.z() - arm.y() * v.x() + arm.x() * v.y());
+    const Vec3 push(arm.z() * w.y() - arm.y() * w.z() + mass * v.x(),
+                    arm.x() * w.z() - arm.z() * w.x() + mass * v.y(),
+                    arm.y() * w.x() - arm.x() * w.y() + mass * v.z());
+    putHalves(w.cross(twirl) + v.cross(push), w.cross(push), now.bias);
+}
+
+void addSymmetric(const Mat6& part, Mat6& all) noexcept {
+    for (int j = 0; j < 6; ++j) {
+        all(j, j) += part(j, j);
+        for (int i = 0; i < j; ++i) {
+            const double both = 0.5 * (part(i, j) + part(j, i));
+            all(i, j) += both;
+            all(j, i) += both;
+        }
+    }
+}
+
+/// Of a link with one freedom what that does not take. (Without a matrix in between.)
+void passOn(const LinkNow& now, Mat6& all) noexcept {
+    const Vec6 push = now.push.col(0), held = now.yield(0, 0) * push;
+    for (int j = 0; j < 6; ++j) {
+        all(j, j) += now.inertia(j, j) - held[j] * push[j];
+        for (int i = 0; i < j; ++i) {
+            const double both =
+                0.5 * ((now.inertia(i, j) - held[i] * push[j]) + (now.inertia(j, i) - held[j] * push[i]));
+            all(i, j) += both;
+            all(j, i) += both;
+        }
+    }
+}
+
 /// The inverse for the axes that are not driven, and nothing for the others.
 Mat3 inverseBut(const Mat3& all, AxisSet driven) noexcept {
     Mat3 kept = all;
@@ -39,18 +97,16 @@ Articulation::Articulation(const Mechanism& mechanism)
 
 void Articulation::placeLink(std::size_t i, const Coordinates& q) noexcept {
     const Link& link = mechanism_.links[i];
-    LinkNow& now = now_[i];
-    Pose moved;
+    Pose& pose = now_[i].pose;
+    pose = link.parent < 0 ? link.base : now_[std::size_t(link.parent)].pose * link.base;
     if (link.kind == LinkKind::Slide)
-        moved.translation[link.axis] = q[link.q];
+        pose.translation = pose.apply(q[link.q] * Vec3::Unit(link.axis));
     else if (link.kind == LinkKind::Turn)
-        moved.rotation = Quat(Eigen::AngleAxisd(q[link.q], Vec3::Unit(link.axis)));
+        turnAboutOwn(link.axis, q[link.q], pose.rotation);
     else if (link.kind == LinkKind::Path)
-        moved = alongPath(link, q[link.q]);
+        pose = pose * alongPath(link, q[link.q]);
     else
-        moved.rotation = ballOf(q, link.q);
-    const Pose base = link.parent < 0 ? link.base : now_[std::size_t(link.parent)].pose * link.base;
-    now.pose = base * moved;
+        pose.rotation = pose.rotation * ballOf(q, link.q);
 }
 
 Pose Articulation::alongPath(const Link& link, double way) noexcept {
@@ -78,36 +134,51 @@ void Articulation::moveAlongPath(std::size_t i, double rate) noexcept {
     now.pathDrift = rate * rate * spatial(turnRate, wayRate);
 }
 
+/// What the link's freedoms move, and how they do.
+FrameVelocity Articulation::moveFreedoms(std::size_t i, const Vec3& at, const Mat3& axes,
+                                         const Coordinates& v) noexcept {
+    const Link& link = mechanism_.links[i];
+    LinkNow& now = now_[i];
+    if (link.kind == LinkKind::Ball) {
+        for (int k = 0; k < 3; ++k)
+            now.way.col(k) = turnAbout(axes.col(k), at);
+        const Vec6 own = now.way * v.segment<3>(link.v);
+        return {angular(own), linear(own)};
+    }
+    if (link.kind == LinkKind::Path) {
+        moveAlongPath(i, v[link.v]);
+    } else {
+        const Vec3 axis = axes.col(link.axis);
+        const bool slides = link.kind == LinkKind::Slide;
+        putHalves(slides ? Vec3(Vec3::Zero()) : axis, slides ? axis : Vec3(at.cross(axis)), now.way.col(0));
+    }
+    return {v[link.v] * now.way.col(0).head<3>(), v[link.v] * now.way.col(0).tail<3>()};
+}
+
 void Articulation::moveLink(std::size_t i, const Coordinates& v) noexcept {
     const Link& link = mechanism_.links[i];
     LinkNow& now = now_[i];
     const Vec3& origin = origins_[std::size_t(link.island)];
-    const Vec3 at = now.pose.translation - origin;
     const Mat3 axes = now.pose.rotation.toRotationMatrix();
-    const Vec6 before = link.parent < 0 ? Vec6::Zero() : now_[std::size_t(link.parent)].velocity;
-    Vec6 own = Vec6::Zero();
-    if (link.kind == LinkKind::Ball) {
-        for (int k = 0; k < 3; ++k)
-            now.way.col(k) = turnAbout(axes.col(k), at);
-        own = now.way * v.segment<3>(link.v);
-    } else if (link.kind == LinkKind::Path) {
-        moveAlongPath(i, v[link.v]);
-        own = now.way.col(0) * v[link.v];
-    } else {
-        now.way.col(0) = link.kind == LinkKind::Slide ? spatial(Vec3::Zero(), axes.col(link.axis))
-                                                      : turnAbout(axes.col(link.axis), at);
-        own = now.way.col(0) * v[link.v];
-    }
-    now.velocity = before + own;
-    now.drift = crossMotion(before, own);
-    if (link.kind == LinkKind::Path) now.drift += now.pathDrift;
+    const FrameVelocity own = moveFreedoms(i, now.pose.translation - origin, axes, v);
     now.force.setZero();
-    if (link.mass > 0)
-        now.inertia = spatialInertia(link.mass, now.pose.apply(link.centre) - origin,
-                                     axes * link.moments * axes.transpose());
-    else
+    if (link.parent >= 0) {
+        const Vec6& before = now_[std::size_t(link.parent)].velocity;
+        const Vec3 turn = angular(before), way = linear(before);
+        putHalves(turn + own.angular, way + own.linear, now.velocity);
+        putHalves(turn.cross(own.angular), turn.cross(own.linear) + way.cross(own.angular), now.drift);
+    } else {
+        putHalves(own.angular, own.linear, now.velocity);
+        now.drift.setZero();
+    }
+    if (link.kind == LinkKind::Path) now.drift += now.pathDrift;
+    if (link.mass > 0) {
+        const Mat3 moments = axes * link.moments * axes.transpose();
+        addBody(link.mass, now.pose.apply(link.centre) - origin, moments, now);
+    } else {
         now.inertia.setZero();
-    now.bias = crossForce(now.velocity, Vec6(now.inertia * now.velocity));
+        now.bias.setZero();
+    }
 }
 
 void Articulation::place(const Coordinates& q, const Coordinates& v) noexcept {
@@ -130,12 +201,14 @@ void Articulation::place(const Coordinates& q, const Coordinates& v) noexcept {
 void Articulation::addGravity(const Vec3& gravity) noexcept {
     for (std::size_t i = 0; i < now_.size(); ++i) {
         const Link& link = mechanism_.links[i];
-        if (link.heavy != 0) addForce(int(i), link.heavy * gravity, now_[i].pose.apply(link.heavyCentre));
+        if (link.heavy == 0) continue;
+        const Vec3 arm = now_[i].pose.apply(link.heavyCentre) - origins_[std::size_t(link.island)];
+        addAt(arm, link.heavy * gravity, now_[i].force);
     }
 }
 
 void Articulation::addForce(int link, const Vec3& force_W, const Vec3& point_W) noexcept {
-    if (link >= 0) now_[std::size_t(link)].force += forceAt(force_W, point_W - originOf(link));
+    if (link >= 0) addAt(point_W - originOf(link), force_W, now_[std::size_t(link)].force);
 }
 
 Vec6 Articulation::atOrigin(int link, const Wrench& wrench) const noexcept {
@@ -155,18 +228,17 @@ void Articulation::factor() noexcept {
     for (std::size_t i = now_.size(); i-- > 0;) {
         const Link& link = mechanism_.links[i];
         LinkNow& now = now_[i];
-        Mat6 rest; // what its own freedoms do not take
         if (link.kind == LinkKind::Ball) {
             now.push.noalias() = now.inertia * now.way;
             now.yield = inverseBut(now.way.transpose() * now.push, link.driven);
-            rest = now.inertia - now.push * now.yield * now.push.transpose();
+            const Mat6 rest = now.inertia - now.push * now.yield * now.push.transpose();
+            if (link.parent >= 0) addSymmetric(rest, now_[std::size_t(link.parent)].inertia);
         } else {
             now.push.col(0).noalias() = now.inertia * now.way.col(0);
             const double inertia = now.way.col(0).dot(now.push.col(0));
             now.yield(0, 0) = link.driven || !(inertia > 0) ? 0 : 1 / inertia;
-            rest = now.inertia - (now.yield(0, 0) * now.push.col(0)) * now.push.col(0).transpose();
+            if (link.parent >= 0) passOn(now, now_[std::size_t(link.parent)].inertia);
         }
-        if (link.parent >= 0) now_[std::size_t(link.parent)].inertia += 0.5 * (rest + rest.transpose());
     }
 }
 

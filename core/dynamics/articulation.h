@@ -65,6 +65,8 @@ public:
 private:
     Vec6 atOrigin(int link, const Wrench& wrench) const noexcept;
     void placeLink(std::size_t i, const Coordinates& q) noexcept;
+    FrameVelocity moveFreedoms(std::size_t i, const Vec3& at, const Mat3& axes,
+                               const Coordinates& v) noexcept;
     void moveLink(std::size_t i, const Coordinates& v) noexcept;
     Pose alongPath(const Link& link, double way) noexcept;
     void moveAlongPath(std::size_t i, double rate) noexcept;
