@@ -44,8 +44,10 @@ void addBody(double mass, const Vec3& centre, const Mat3& moments, LinkNow& now)
 }
 
 void addSymmetric(const Mat6& part, Mat6& all) noexcept {
+#pragma GCC unroll 6
     for (int j = 0; j < 6; ++j) {
         all(j, j) += part(j, j);
+#pragma GCC unroll 6
         for (int i = 0; i < j; ++i) {
             const double both = 0.5 * (part(i, j) + part(j, i));
             all(i, j) += both;
@@ -57,8 +59,10 @@ void addSymmetric(const Mat6& part, Mat6& all) noexcept {
 /// Of a link with one freedom what that does not take. (Without a matrix in between.)
 void passOn(const LinkNow& now, Mat6& all) noexcept {
     const Vec6 push = now.push.col(0), held = now.yield(0, 0) * push;
+#pragma GCC unroll 6
     for (int j = 0; j < 6; ++j) {
         all(j, j) += now.inertia(j, j) - held[j] * push[j];
+#pragma GCC unroll 6
         for (int i = 0; i < j; ++i) {
             const double both =
                 0.5 * ((now.inertia(i, j) - held[i] * push[j]) + (now.inertia(j, i) - held[j] * push[i]));
@@ -224,43 +228,54 @@ void Articulation::addForce(const Place& a, const Place& b, const Wrench& wrench
 
 // What rounding leaves of an inertia that is not symmetric would grow by 1 / (2 - sqrt 3) with each rod of a
 // chain, as the covariance of a Kalman filter does: 36 on balls would fly apart.
-void Articulation::factor() noexcept {
-    for (std::size_t i = now_.size(); i-- > 0;) {
-        const Link& link = mechanism_.links[i];
-        LinkNow& now = now_[i];
-        if (link.kind == LinkKind::Ball) {
-            now.push.noalias() = now.inertia * now.way;
-            now.yield = inverseBut(now.way.transpose() * now.push, link.driven);
-            const Mat6 rest = now.inertia - now.push * now.yield * now.push.transpose();
-            if (link.parent >= 0) addSymmetric(rest, now_[std::size_t(link.parent)].inertia);
-        } else {
-            now.push.col(0).noalias() = now.inertia * now.way.col(0);
-            const double inertia = now.way.col(0).dot(now.push.col(0));
-            now.yield(0, 0) = link.driven || !(inertia > 0) ? 0 : 1 / inertia;
-            if (link.parent >= 0) passOn(now, now_[std::size_t(link.parent)].inertia);
-        }
+void Articulation::factorLink(std::size_t i) noexcept {
+    const Link& link = mechanism_.links[i];
+    LinkNow& now = now_[i];
+    LinkNow* const parent = link.parent < 0 ? nullptr : &now_[std::size_t(link.parent)];
+    if (link.kind == LinkKind::Ball) {
+        now.push.noalias() = now.inertia * now.way;
+        now.yield = inverseBut(now.way.transpose() * now.push, link.driven);
+        if (parent) addSymmetric(now.inertia - now.push * now.yield * now.push.transpose(), parent->inertia);
+    } else {
+        now.push.col(0).noalias() = now.inertia * now.way.col(0);
+        const double inertia = now.way.col(0).dot(now.push.col(0));
+        now.yield(0, 0) = link.driven || !(inertia > 0) ? 0 : 1 / inertia;
+        if (parent) passOn(now, parent->inertia);
     }
 }
 
+void Articulation::factor() noexcept {
+    for (std::size_t i = now_.size(); i-- > 0;)
+        factorLink(i);
+}
+
+/// The force that holds a link up, as far as its own freedoms do not give way, goes on to its parent.
+void Articulation::passForce(std::size_t i, const Coordinates& along) noexcept {
+    const Link& link = mechanism_.links[i];
+    LinkNow& now = now_[i];
+    const Vec6& held = now.acceleration;
+    Vec6* const parent = link.parent < 0 ? nullptr : &now_[std::size_t(link.parent)].acceleration;
+    // A^a c + p^a, with A^a = A - U D^-1 U^T.
+    if (link.kind == LinkKind::Ball) {
+        now.rest = along.segment<3>(link.v) - now.way.transpose() * held;
+        if (!parent) return;
+        const Vec3 taken = now.yield * (now.rest - now.push.transpose() * now.drift);
+        *parent += held + (now.inertia * now.drift + now.push * taken);
+    } else {
+        now.rest[0] = along[link.v] - now.way.col(0).dot(held);
+        if (!parent) return;
+        const double taken = now.yield(0, 0) * (now.rest[0] - now.push.col(0).dot(now.drift));
+        *parent += held + (now.inertia * now.drift + now.push.col(0) * taken);
+    }
+}
+
+// Both ways to the root in one: what each waits for is ready while the other waits.
 void Articulation::accelerate(const Coordinates& along, Coordinates& acceleration) noexcept {
     for (LinkNow& now : now_)
         now.acceleration = now.bias - now.force; // the force that holds it up, for now
     for (std::size_t i = now_.size(); i-- > 0;) {
-        const Link& link = mechanism_.links[i];
-        LinkNow& now = now_[i];
-        const Vec6 held = now.acceleration;
-        // A^a c + p^a, with A^a = A - U D^-1 U^T.
-        Vec6 passed = held;
-        if (link.kind == LinkKind::Ball) {
-            now.rest = along.segment<3>(link.v) - now.way.transpose() * held;
-            const Vec3 taken = now.yield * (now.rest - now.push.transpose() * now.drift);
-            passed += now.inertia * now.drift + now.push * taken;
-        } else {
-            now.rest[0] = along[link.v] - now.way.col(0).dot(held);
-            const double taken = now.yield(0, 0) * (now.rest[0] - now.push.col(0).dot(now.drift));
-            passed += now.inertia * now.drift + now.push.col(0) * taken;
-        }
-        if (link.parent >= 0) now_[std::size_t(link.parent)].acceleration += passed;
+        factorLink(i);
+        passForce(i, along);
     }
     for (std::size_t i = 0; i < now_.size(); ++i) {
         const Link& link = mechanism_.links[i];

@@ -38,9 +38,9 @@ public:
     void addForce(const Place& a, const Place& b, const Wrench& wrench, double size) noexcept;
     void addForce(int link, const Vec3& force_W, const Vec3& point_W) noexcept;
 
-    /// Of the places alone: what response() and accelerate() stand on.
+    /// Of the places alone: what respond() stands on.
     void factor() noexcept;
-    /// q'' for the forces and the forces along the coordinates.
+    /// The same, and q'' for the forces and the forces along the coordinates.
     void accelerate(const Coordinates& along, Coordinates& acceleration) noexcept;
     /// How the velocities of an island change by an impulse along its coordinates: M^-1 J^T. Both have as
     /// many numbers as the island has velocities.
@@ -68,6 +68,8 @@ private:
     FrameVelocity moveFreedoms(std::size_t i, const Vec3& at, const Mat3& axes,
                                const Coordinates& v) noexcept;
     void moveLink(std::size_t i, const Coordinates& v) noexcept;
+    void factorLink(std::size_t i) noexcept;
+    void passForce(std::size_t i, const Coordinates& along) noexcept;
     Pose alongPath(const Link& link, double way) noexcept;
     void moveAlongPath(std::size_t i, double rate) noexcept;
 

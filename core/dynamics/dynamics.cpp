@@ -135,7 +135,6 @@ void Dynamics::evaluate(const Coordinates& q, const Coordinates& v, const Surrou
     addAir(around.dt);
     addSprings(q, v);
     rows_.addHeld(articulation_);
-    articulation_.factor();
     articulation_.accelerate(springs_, acceleration);
     if (loops_.empty()) return;
     loops_.factor(articulation_);
