@@ -22,6 +22,12 @@ void turnAboutOwn(int axis, double angle, Quat& frame) noexcept {
     last = z * c - y * s;
 }
 
+/// A force and a torque about the origin on what moves, W: number by number what Eigen computes, bit for bit.
+template <typename Six> double workOf(const IslandWrench& on, const Six& motion) noexcept {
+    return (on.torque.x() * motion[0] + (on.torque.z() * motion[2] + on.force.y() * motion[4])) +
+           (on.torque.y() * motion[1] + (on.force.x() * motion[3] + on.force.z() * motion[5]));
+}
+
 void addAt(const Vec3& arm, const Vec3& force, Vec6& all) noexcept {
     putHalves(angular(all) + arm.cross(force), linear(all) + force, all);
 }
@@ -215,15 +221,20 @@ void Articulation::addForce(int link, const Vec3& force_W, const Vec3& point_W) 
     if (link >= 0) addAt(point_W - originOf(link), force_W, now_[std::size_t(link)].force);
 }
 
-Vec6 Articulation::atOrigin(int link, const Wrench& wrench) const noexcept {
-    Vec6 w = forceAt(wrench.force, wrench.point - originOf(link));
-    w.head<3>() += wrench.torque;
-    return w;
+inline IslandWrench Articulation::atOrigin(int link, const Wrench& wrench, double size) const noexcept {
+    const Vec3 torque = (wrench.point - originOf(link)).cross(wrench.force) + wrench.torque;
+    return {size * torque, size * wrench.force};
 }
 
 void Articulation::addForce(const Place& a, const Place& b, const Wrench& wrench, double size) noexcept {
-    if (b.link >= 0) now_[std::size_t(b.link)].force += size * atOrigin(b.link, wrench);
-    if (a.link >= 0) now_[std::size_t(a.link)].force -= size * atOrigin(a.link, wrench);
+    const auto add = [&](int link, double times) {
+        if (link < 0) return;
+        Vec6& all = now_[std::size_t(link)].force;
+        const IslandWrench on = atOrigin(link, wrench, times);
+        putHalves(angular(all) + on.torque, linear(all) + on.force, all);
+    };
+    add(b.link, size);
+    add(a.link, -size);
 }
 
 // What rounding leaves of an inertia that is not symmetric would grow by 1 / (2 - sqrt 3) with each rod of a
@@ -303,15 +314,14 @@ void Articulation::respond(const Island& island, const double* impulse, double* 
         const Vec6& held = impulses_[std::size_t(i)];
         Vec3& rest = rests_[std::size_t(i)];
         const double* own = impulse + (link.v - island.v);
-        Vec6 passed = held;
+        Vec6* const parent = link.parent < 0 ? nullptr : &impulses_[std::size_t(link.parent)];
         if (link.kind == LinkKind::Ball) {
             rest = Vec3(own[0], own[1], own[2]) - now.way.transpose() * held;
-            passed += now.push * (now.yield * rest);
+            if (parent) *parent += held + now.push * (now.yield * rest);
         } else {
             rest[0] = own[0] - now.way.col(0).dot(held);
-            passed += now.push.col(0) * (now.yield(0, 0) * rest[0]);
+            if (parent) *parent += held + now.push.col(0) * (now.yield(0, 0) * rest[0]);
         }
-        if (link.parent >= 0) impulses_[std::size_t(link.parent)] += passed;
     }
     for (int i = island.firstLink; i < island.endLink; ++i) {
         const Link& link = mechanism_.links[std::size_t(i)];
@@ -334,12 +344,12 @@ void Articulation::respond(const Island& island, const double* impulse, double* 
 
 void Articulation::addJacobian(int link, const Wrench& wrench, double size, double* along) const noexcept {
     if (link < 0) return;
-    const Vec6 w = size * atOrigin(link, wrench);
+    const IslandWrench w = atOrigin(link, wrench, size);
     const int first = mechanism_.islands[std::size_t(mechanism_.links[std::size_t(link)].island)].v;
     for (int i = link; i >= 0; i = mechanism_.links[std::size_t(i)].parent) {
         const Link& on = mechanism_.links[std::size_t(i)];
         for (int k = 0; k < on.freedoms(); ++k)
-            along[on.v - first + k] += now_[std::size_t(i)].way.col(k).dot(w);
+            along[on.v - first + k] += workOf(w, now_[std::size_t(i)].way.col(k));
     }
 }
 
@@ -355,17 +365,17 @@ FrameVelocity Articulation::velocityOf(const Place& frame) const noexcept {
 }
 
 double Articulation::powerOf(const Place& a, const Place& b, const Wrench& wrench) const noexcept {
-    double power = 0;
-    if (b.link >= 0) power += atOrigin(b.link, wrench).dot(now_[std::size_t(b.link)].velocity);
-    if (a.link >= 0) power -= atOrigin(a.link, wrench).dot(now_[std::size_t(a.link)].velocity);
-    return power;
+    const auto on = [&](int link) {
+        return link < 0 ? 0 : workOf(atOrigin(link, wrench), now_[std::size_t(link)].velocity);
+    };
+    return on(b.link) - on(a.link);
 }
 
 double Articulation::accelerationAlong(const Place& a, const Place& b, const Wrench& wrench) const noexcept {
-    double sum = 0;
-    if (b.link >= 0) sum += atOrigin(b.link, wrench).dot(now_[std::size_t(b.link)].acceleration);
-    if (a.link >= 0) sum -= atOrigin(a.link, wrench).dot(now_[std::size_t(a.link)].acceleration);
-    return sum;
+    const auto on = [&](int link) {
+        return link < 0 ? 0 : workOf(atOrigin(link, wrench), now_[std::size_t(link)].acceleration);
+    };
+    return on(b.link) - on(a.link);
 }
 
 double Articulation::driftAlong(const Place& a, const Place& b, const Wrench& wrench) const noexcept {
@@ -373,7 +383,7 @@ double Articulation::driftAlong(const Place& a, const Place& b, const Wrench& wr
         Vec6 drift = Vec6::Zero();
         for (int i = link; i >= 0; i = mechanism_.links[std::size_t(i)].parent)
             drift += now_[std::size_t(i)].drift;
-        return link < 0 ? 0 : atOrigin(link, wrench).dot(drift);
+        return link < 0 ? 0 : workOf(atOrigin(link, wrench), drift);
     };
     return on(b.link) - on(a.link);
 }

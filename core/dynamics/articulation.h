@@ -26,6 +26,11 @@ struct LinkNow {
     Mat6 inertia; ///< of the link alone, then of all that hangs on it
 };
 
+/// About the origin of an island, along the axes of the world.
+struct IslandWrench {
+    Vec3 torque = Vec3::Zero(), force = Vec3::Zero(); ///< N m, N
+};
+
 /// Thread: one at a time; all but the constructor real time.
 class Articulation {
 public:
@@ -63,7 +68,8 @@ public:
     }
 
 private:
-    Vec6 atOrigin(int link, const Wrench& wrench) const noexcept;
+    /// `size` times a wrench about the origin of a link's island.
+    IslandWrench atOrigin(int link, const Wrench& wrench, double size = 1) const noexcept;
     void placeLink(std::size_t i, const Coordinates& q) noexcept;
     FrameVelocity moveFreedoms(std::size_t i, const Vec3& at, const Mat3& axes,
                                const Coordinates& v) noexcept;

@@ -24,6 +24,11 @@ double softnessOf(const Mechanism& mechanism, const Lock& lock) {
     return least;
 }
 
+bool sameFrames(const Coordinate& one, const Coordinate& other) {
+    return one.a.link == other.a.link && one.b.link == other.b.link && one.a.pose == other.a.pose &&
+           one.b.pose == other.b.pose;
+}
+
 } // namespace
 
 Loops::Loops(const Mechanism& mechanism) : mechanism_(mechanism), rows_(mechanism.loops.size()) {
@@ -32,6 +37,9 @@ Loops::Loops(const Mechanism& mechanism) : mechanism_(mechanism), rows_(mechanis
         for (int i = island.firstLoop; i < island.endLoop; ++i) {
             rows_[std::size_t(i)].first = numbers;
             rows_[std::size_t(i)].free = softnessOf(mechanism, mechanism.loops[std::size_t(i)]);
+            rows_[std::size_t(i)].framesAsBefore =
+                i > island.firstLoop &&
+                sameFrames(mechanism.loops[std::size_t(i - 1)].of, mechanism.loops[std::size_t(i)].of);
             numbers += std::size_t(island.velocities);
         }
         factorFirst_.push_back(squares);
@@ -56,11 +64,15 @@ void Loops::factor(Articulation& articulation) noexcept {
     gap_ = 0;
     for (const Island& island : mechanism_.islands) {
         const int count = island.endLoop - island.firstLoop, n = island.velocities;
+        Frames frames;
         for (int r = 0; r < count; ++r) {
             const std::size_t i = std::size_t(island.firstLoop + r);
             const Lock& lock = mechanism_.loops[i];
             Row& row = rows_[i];
-            row.now = measure(lock.of, articulation.poseOf(lock.of.a), articulation.poseOf(lock.of.b));
+            if (!row.framesAsBefore)
+                frames = {articulation.poseOf(lock.of.a), articulation.poseOf(lock.of.b)};
+            row.frames = frames;
+            row.now = measure(lock.of, frames.a, frames.b);
             gap_ = std::max(gap_, std::abs(row.now.value - lock.at));
             double* jacobian = jacobian_.data() + row.first;
             std::fill_n(jacobian, n, 0.0);
@@ -117,13 +129,15 @@ void Loops::correct(const Articulation& articulation, Coordinates& acceleration)
     for (const Island& island : mechanism_.islands) {
         const int count = island.endLoop - island.firstLoop;
         if (count == 0) continue;
+        FrameVelocity a, b;
         for (int r = 0; r < count; ++r) {
             const std::size_t i = std::size_t(island.firstLoop + r);
             const Lock& lock = mechanism_.loops[i];
             const Coordinate& of = lock.of;
-            const Measured& now = rows_[i].now;
-            const Wrench rate = rateOf(of, articulation.poseOf(of.a), articulation.poseOf(of.b),
-                                       articulation.velocityOf(of.a), articulation.velocityOf(of.b));
+            const Row& row = rows_[i];
+            const Measured& now = row.now;
+            if (!row.framesAsBefore) a = articulation.velocityOf(of.a), b = articulation.velocityOf(of.b);
+            const Wrench rate = rateOf(of, row.frames.a, row.frames.b, a, b);
             const double velocity = articulation.powerOf(of.a, of.b, now.along);
             rhs_[std::size_t(r)] = -articulation.accelerationAlong(of.a, of.b, now.along) -
                                    articulation.powerOf(of.a, of.b, rate) - 2 * kClosing * velocity -

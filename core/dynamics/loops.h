@@ -30,11 +30,16 @@ public:
     double largestGap() const noexcept { return gap_; }
 
 private:
+    struct Frames {
+        Pose a, b; ///< of the world
+    };
     struct Row {
         Measured now;
-        std::size_t first = 0; ///< of its numbers in jacobian_ and change_
-        bool holds = true;     ///< the rows before it do not already hold it
-        double free = 0;       ///< its part of the factor if nothing else held the bodies
+        Frames frames;
+        bool framesAsBefore = false; ///< those of the row before it, of the same island
+        std::size_t first = 0;       ///< of its numbers in jacobian_ and change_
+        bool holds = true;           ///< the rows before it do not already hold it
+        double free = 0;             ///< its part of the factor if nothing else held the bodies
     };
 
     void solve(const Island& island, double* rhs) const noexcept;

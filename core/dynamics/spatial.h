@@ -11,9 +11,11 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 inline Vec6 spatial(const Vec3& angular, const Vec3& linear) noexcept {
-    Vec6 both; // by halves: g++ makes a loop of a comma initializer
-    both.head<3>() = angular;
-    both.tail<3>() = linear;
+    Vec6 both; // number by number: g++ makes a loop of a comma initializer
+    for (int i = 0; i < 3; ++i) {
+        both[i] = angular[i];
+        both[3 + i] = linear[i];
+    }
     return both;
 }
 /// The same, where it is to be kept: what has been written by three and is read by two waits until it is in
