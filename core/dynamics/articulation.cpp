@@ -46,9 +46,10 @@ void addBody(double mass, const Vec3& centre, const Mat3& moments, LinkNow& now)
     const Vec3 push(arm.z() * w.y() - arm.y() * w.z() + mass * v.x(),
                     arm.x() * w.z() - arm.z() * w.x() + mass * v.y(),
                     arm.y() * w.x() - arm.x() * w.y() + mass * v.z());
-    putHalves(w.cross(twirl) + v.cross(push), w.cross(push), now.bias);
+    putHalves(w.cross(twirl) + v.cross(push), w.cross(push), now.bias); // v x* f (2.32)
 }
 
+// Without loops: g++ leaves those of a triangle.
 void addSymmetric(const Mat6& part, Mat6& all) noexcept {
 #pragma GCC unroll 6
     for (int j = 0; j < 6; ++j) {
@@ -176,6 +177,7 @@ void Articulation::moveLink(std::size_t i, const Coordinates& v) noexcept {
         const Vec6& before = now_[std::size_t(link.parent)].velocity;
         const Vec3 turn = angular(before), way = linear(before);
         putHalves(turn + own.angular, way + own.linear, now.velocity);
+        // How its own motion m changes as it goes with its parent: v x m (2.31).
         putHalves(turn.cross(own.angular), turn.cross(own.linear) + way.cross(own.angular), now.drift);
     } else {
         putHalves(own.angular, own.linear, now.velocity);

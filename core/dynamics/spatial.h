@@ -19,7 +19,7 @@ inline Vec6 spatial(const Vec3& angular, const Vec3& linear) noexcept {
     return both;
 }
 /// The same, where it is to be kept: what has been written by three and is read by two waits until it is in
-/// the cache, a tenth of all that a link costs.
+/// the cache: a third of all that a link cost.
 template <typename Six> void putHalves(const Vec3& angular, const Vec3& linear, Six&& to) noexcept {
     to.template head<3>() = angular;
     to.template tail<3>() = linear;
@@ -35,30 +35,9 @@ inline Vec3 linear(const Vec6& v) noexcept {
 inline Vec6 turnAbout(const Vec3& axis, const Vec3& point) noexcept {
     return spatial(axis, point.cross(axis));
 }
-/// A force that acts at a point.
-inline Vec6 forceAt(const Vec3& force, const Vec3& point) noexcept {
-    return spatial(point.cross(force), force);
-}
 /// The velocity of the material point of a body that is at `point`, m/s.
 inline Vec3 velocityAt(const Vec6& v, const Vec3& point) noexcept {
     return linear(v) + angular(v).cross(point);
-}
-
-/// How a motion m that is fixed to something that moves with v changes: v x m (2.31).
-inline Vec6 crossMotion(const Vec6& v, const Vec6& m) noexcept {
-    return spatial(angular(v).cross(angular(m)), angular(v).cross(linear(m)) + linear(v).cross(angular(m)));
-}
-/// How a force f that is fixed to something that moves with v changes: v x* f (2.32).
-inline Vec6 crossForce(const Vec6& v, const Vec6& f) noexcept {
-    return spatial(angular(v).cross(angular(f)) + linear(v).cross(linear(f)), angular(v).cross(linear(f)));
-}
-
-inline Mat3 crossMatrix(const Vec3& v) noexcept {
-    Mat3 m;
-    m.col(0) = Vec3(0, v.z(), -v.y());
-    m.col(1) = Vec3(-v.z(), 0, v.x());
-    m.col(2) = Vec3(v.y(), -v.x(), 0);
-    return m;
 }
 
 /// The inertia of a rigid body of `mass` about the origin: `arm` is its mass times where its centre is,
