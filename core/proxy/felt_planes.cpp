@@ -24,6 +24,10 @@ constexpr double kCrossing = 1e-4;
 // What is felt of one face goes on over others whose normal has at least this cosine with its own.
 constexpr double kHardlyLeans = 0.95;
 constexpr double kFarthest = 2;
+// Beyond an edge it is hollow where the way to the next face is shorter by this part of it, squared.
+constexpr double kHollow = 1e-9;
+// A slide is followed over so many edges.
+constexpr int kMostEdges = 6;
 // A slide is good whose end wishes no more than this part of it back.
 constexpr double kOvershoot = 0.001;
 constexpr int kSearches = 8;
@@ -39,14 +43,24 @@ ClosestPoint noFartherThanItself(ClosestPoint foot) noexcept {
     return foot;
 }
 
+// Onto which triangle of its surface a felt one goes on over the edge that a foot is on.
+Index goesOnOver(const Obstacle& obstacle, const SmoothNormals& normals, const auto& foot) noexcept {
+    if (foot.point.feature != Feature::Edge) return SmoothNormals::kNothing;
+    int opposite = 0;
+    foot.point.weights.cwiseAbs().minCoeff(&opposite);
+    const Index next = normals.across[foot.triangle][std::size_t(opposite)];
+    if (next == SmoothNormals::kNothing) return next;
+    return obstacle.surfaceOf(next) == obstacle.surfaceOf(foot.triangle) ? next : SmoothNormals::kNothing;
+}
+
 } // namespace
 
-const NearestPoint& FeltPasses::at(const Vec3& centre, bool ahead) noexcept {
+const NearestPoint& FeltPasses::at(const Vec3& centre, Look where) noexcept {
     centre_ = centre;
     clear();
     double touching = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < on_->contacts.size(); ++i)
-        touching = std::max(touching, locate(i, ahead));
+        touching = std::max(touching, locate(i, where));
     const Vec3 u = on_->finger - centre;
     result_ = {};
     if (isAboveAll(u)) {
@@ -121,7 +135,9 @@ double FeltPasses::held(const Vec3& way) const noexcept {
     for (std::size_t i = 0; i < pushes.size(); ++i) {
         if (!(pushes[i].lambda > 0)) continue;
         const double coefficient = frictionLimit(material_[i], true).coefficient;
-        least = std::min(least, coefficient * depthOnSlope(pushes.all(), i, coefficient, way));
+        // What lies ahead may lean from what the way goes along.
+        const Vec3 along = (way - way.dot(true_[i].normal) * true_[i].normal).normalized();
+        least = std::min(least, coefficient * depthOnSlope(pushes.all(), i, coefficient, along));
     }
     return std::isfinite(least) ? least : 0;
 }
@@ -148,44 +164,74 @@ void FeltPasses::settle(ProxyState& state) const noexcept {
 }
 
 // The true plane of one contact; gives its offset, the greater the nearer.
-double FeltPasses::locate(std::size_t i, bool ahead) noexcept {
+double FeltPasses::locate(std::size_t i, Look where) noexcept {
     const Contact& contact = on_->contacts[i];
     const Obstacle& obstacle = on_->obstacles[contact.body];
     const Pose pose = poseNow(obstacle, on_->movers);
-    const Triangle triangle = obstacle.triangle(contact.triangle);
     const Vec3 centre = pose.applyInverse(centre_);
-    const bool goesOn = ahead && contact.bend == 0;
-    foot_.push(goesOn ? footOnPlane(triangle, centre) : closestPoint(triangle, centre));
-    const bool isBeyond = goesOn && foot_[i].weights.minCoeff() < 0;
-    const Vec3 away = centre - foot_[i].point;
+    const Foot foot = footAt(contact, obstacle, centre, where);
+    foot_.push(foot.point);
+    const bool isBeyond = foot.triangle != contact.triangle || foot.point.weights.minCoeff() < 0;
+    const Vec3 away = centre - foot.point.point;
     const double distance = away.norm();
     true_.push({distance > 0 ? pose.rotate(away / distance) : contact.normal, on_->radius - distance});
-    material_.push(obstacle.material(contact.triangle));
-    looked_.push({contact.body, contact.triangle, isBeyond, false});
+    material_.push(obstacle.material(foot.triangle));
+    looked_.push({contact.body, contact.triangle, foot.triangle, isBeyond, false});
     return true_[i].offset;
+}
+
+FeltPasses::Foot FeltPasses::footAt(const Contact& contact, const Obstacle& obstacle, const Vec3& centre,
+                                    Look where) const noexcept {
+    const Triangle triangle = obstacle.triangle(contact.triangle);
+    const SurfaceFeel* feel = feelOf(obstacle, contact.triangle);
+    if (where == Look::AheadOverEdges && feel && feel->normals)
+        return footOverEdges(contact, obstacle, *feel->normals, centre);
+    const bool goesOn = where != Look::Here && contact.bend == 0;
+    return {goesOn ? footOnPlane(triangle, centre) : closestPoint(triangle, centre), contact.triangle};
+}
+
+// On a shaded surface, over edges around which a large proxy rolls, and down onto what comes next. In a
+// hollow and where the surface ends it goes on in its plane.
+FeltPasses::Foot FeltPasses::footOverEdges(const Contact& contact, const Obstacle& obstacle,
+                                           const SmoothNormals& normals, const Vec3& centre) const noexcept {
+    const Triangle triangle = obstacle.triangle(contact.triangle);
+    const Foot inPlane{footOnPlane(triangle, centre), contact.triangle};
+    if (inPlane.point.weights.minCoeff() >= 0) return inPlane;
+    const auto distance2 = [&](const Foot& foot) { return (centre - foot.point.point).squaredNorm(); };
+    Foot foot{closestPoint(triangle, centre), contact.triangle};
+    for (int edges = 0; edges < kMostEdges && foot.point.feature != Feature::Face; ++edges) {
+        const Index next = goesOnOver(obstacle, normals, foot);
+        if (next == SmoothNormals::kNothing)
+            return contact.bend == 0 && foot.triangle == contact.triangle ? inPlane : foot;
+        const Foot there{closestPoint(obstacle.triangle(next), centre), next};
+        if (distance2(there) < (1 - kHollow) * distance2(inPlane)) return inPlane;
+        if (!(distance2(there) < distance2(foot))) break; // it rolls around the edge
+        foot = there;
+    }
+    return foot;
 }
 
 // Its felt planes. They mean something only at the place that is touched; what the proxy hovers over has
 // its true plane in pass 2.
 void FeltPasses::look(std::size_t i) noexcept {
     looked_[i].isFelt = true;
-    const Contact& contact = on_->contacts[i];
-    const Obstacle& obstacle = on_->obstacles[contact.body];
-    const SurfaceFeel* feel = feelOf(obstacle, contact.triangle);
+    const Obstacle& obstacle = on_->obstacles[on_->contacts[i].body];
+    const Index index = looked_[i].on;
+    const SurfaceFeel* feel = feelOf(obstacle, index);
     if (!feel) return add(i, true_[i].normal);
     const Pose pose = poseNow(obstacle, on_->movers);
-    const Triangle triangle = obstacle.triangle(contact.triangle);
+    const Triangle triangle = obstacle.triangle(index);
     const Vec3 away = pose.rotateInverse(true_[i].normal);
     Vec3 base = away;
     Mat3 turning = Mat3::Zero();
     if (feel->normals) {
         const ClosestPoint nearby = noFartherThanItself(foot_[i]);
-        base = shadedNormal(*feel->normals, contact.triangle, triangle, nearby, away);
+        base = shadedNormal(*feel->normals, index, triangle, nearby, away);
         if (feel->texture && feel->texture->asksForTurning)
-            turning = shadedNormalGradient(*feel->normals, contact.triangle, triangle, nearby, base);
+            turning = shadedNormalGradient(*feel->normals, index, triangle, nearby, base);
     }
     if (!feel->texture) return add(i, pose.rotate(base));
-    TexturePoint point = texturePointOn(*obstacle.mesh->soup, contact.triangle, triangle, foot_[i], base);
+    TexturePoint point = texturePointOn(*obstacle.mesh->soup, index, triangle, foot_[i], base);
     point.normalGradient = turning;
     point.passing = pose.rotateInverse(on_->passing);
     const TextureFeel touch = tactum::feel(*feel->texture, point, on_->smallestFeature);
@@ -198,14 +244,13 @@ void FeltPasses::look(std::size_t i) noexcept {
 
 // What is hovered over has no felt plane, but pass 2 may push there: it rubs as its layers say.
 void FeltPasses::rub(std::size_t i) noexcept {
-    const Contact& contact = on_->contacts[i];
-    const Obstacle& obstacle = on_->obstacles[contact.body];
-    const SurfaceFeel* feel = feelOf(obstacle, contact.triangle);
+    const Obstacle& obstacle = on_->obstacles[on_->contacts[i].body];
+    const Index index = looked_[i].on;
+    const SurfaceFeel* feel = feelOf(obstacle, index);
     if (!feel || !feel->texture) return;
     const Pose pose = poseNow(obstacle, on_->movers);
-    TexturePoint point =
-        texturePointOn(*obstacle.mesh->soup, contact.triangle, obstacle.triangle(contact.triangle), foot_[i],
-                       pose.rotateInverse(true_[i].normal));
+    TexturePoint point = texturePointOn(*obstacle.mesh->soup, index, obstacle.triangle(index), foot_[i],
+                                        pose.rotateInverse(true_[i].normal));
     point.passing = pose.rotateInverse(on_->passing);
     material_[i] = modulated(material_[i], tactum::feel(*feel->texture, point, on_->smallestFeature));
 }
@@ -380,7 +425,7 @@ NearestPoint updateFelt(ProxyState& state, const FeltContacts& on) noexcept {
 
 NearestPoint FeltPasses::update(ProxyState& state, const FeltContacts& on) noexcept {
     on_ = &on;
-    if (state.position != centre_ || !hasLookedAt(on.contacts)) at(state.position, false);
+    if (state.position != centre_ || !hasLookedAt(on.contacts)) at(state.position, Look::Here);
     settle(state);
     return result_;
 }
@@ -391,10 +436,11 @@ double FeltPasses::reach(const ProxyState& state, const FeltContacts& on, const 
     const double atStart = slide.norm();
     const Vec3 way = slide / atStart;
     const bool looks = hold.back > 0;
+    const Look where = looks ? Look::AheadOverEdges : Look::AheadInPlane;
     const double heldAtStart = looks ? held(way) : 0; // the update looked there
     double before = 0, wishBefore = atStart;
     const auto wishAfter = [&](double part) {
-        double wish = at(state.position + (drop + part * slide), true).x.dot(way);
+        double wish = at(state.position + (drop + part * slide), where).x.dot(way);
         if (looks) wish -= hold.back + held(way) - heldAtStart;
         if (looks && hold.lag > 0) {
             // Where the viscosity changes on the way, too, the mean of both ends holds the slide.

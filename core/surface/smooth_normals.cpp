@@ -42,25 +42,31 @@ std::vector<Index> roundedWeldMap(const TriangleSoup& soup) {
     return weldMap(rounded);
 }
 
-std::vector<std::uint8_t> seamsOf(const TriangleSoup& soup, std::span<const Normal> corners) {
+void findSeams(const TriangleSoup& soup, SmoothNormals& normals) {
     const std::vector<Index> place = roundedWeldMap(soup);
     std::vector<Corners> placed(soup.triangles);
     for (Corners& t : placed)
         for (Index& corner : t)
             corner = place[corner];
-    std::vector<std::uint8_t> seams(placed.size(), 0);
+    normals.seams.assign(placed.size(), 0);
+    normals.across.assign(placed.size(), {normals.kNothing, normals.kNothing, normals.kNothing});
     std::vector<char> ends(place.size(), 0); // of each place: some edge of it is a seam
     const auto any = [](const Corners&) { return true; };
+    // An edge is named by the corner that is not on it.
+    const auto opposite = [](const EdgeUse& use) { return previousCorner(use.corner) % 3; };
     forEachEdge(placed, place.size(), any, [&](Index low, std::span<const EdgeUse> uses) {
-        if (uses.size() == 2 && goOn(corners, uses[0], uses[1])) return;
+        if (uses.size() == 2 && goOn(normals.corners, uses[0], uses[1])) {
+            for (std::size_t i = 0; i < 2; ++i)
+                normals.across[uses[i].corner / 3][opposite(uses[i])] = uses[1 - i].corner / 3;
+            return;
+        }
         ends[low] = ends[uses[0].high] = 1;
-        for (const EdgeUse& use : uses) // named by the corner that is not on it
-            seams[use.corner / 3] |= std::uint8_t(1 << previousCorner(use.corner) % 3);
+        for (const EdgeUse& use : uses)
+            normals.seams[use.corner / 3] |= std::uint8_t(1 << opposite(use));
     });
-    for (std::size_t i = 0; i < seams.size(); ++i)
+    for (std::size_t i = 0; i < placed.size(); ++i)
         for (std::size_t k = 0; k < 3; ++k)
-            if (ends[placed[i][k]]) seams[i] |= std::uint8_t(8 << k);
-    return seams;
+            if (ends[placed[i][k]]) normals.seams[i] |= std::uint8_t(8 << k);
 }
 
 } // namespace
@@ -83,7 +89,7 @@ compileNormals(const Shading& shading, const std::shared_ptr<const TriangleSoup>
         result->computed = std::move(*computed);
     }
     result->corners = fromFile ? soup->cornerNormals : result->computed;
-    result->seams = seamsOf(*soup, result->corners);
+    findSeams(*soup, *result);
     return std::shared_ptr<const SmoothNormals>(std::move(result));
 }
 

@@ -1,6 +1,7 @@
 // What compiling makes of a mesh for force shading: a normal for each corner, and where they part.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -19,6 +20,10 @@ struct SmoothNormals {
     /// To each triangle six bits: k for the edge opposite to corner k, 3 + k for corner k. Set where the felt
     /// surface ends or has a crease: no triangle, more than one, or one of other normals goes on there.
     std::vector<std::uint8_t> seams;
+    /// To each triangle the one that the felt surface goes on over the edge opposite to corner k; kNothing at
+    /// a seam.
+    std::vector<std::array<Index, 3>> across;
+    static constexpr Index kNothing = ~Index(0);
 
     // What it was made of: to know whether it can be used again.
     std::shared_ptr<const TriangleSoup> soup;
