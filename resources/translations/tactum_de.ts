@@ -500,10 +500,18 @@
             <translation>%1 µs</translation>
         </message>
         <message>
+            <source>%1 · forces off</source>
+            <translation>%1 · Kräfte aus</translation>
+        </message>
+        <message>
             <source>%1 · in use
 %2</source>
             <translation>%1 · in Gebrauch
 %2</translation>
+        </message>
+        <message>
+            <source>%1 · limit</source>
+            <translation>%1 · Limit</translation>
         </message>
         <message>
             <source>%1 · not usable
@@ -7900,6 +7908,10 @@ Ein Modell öffnen (Strg+O), eines oder eine einfache Form hinzufügen (Datei &g
             <translation>allein gefühlt</translation>
         </message>
         <message>
+            <source>finger</source>
+            <translation>Finger</translation>
+        </message>
+        <message>
             <source>finger to proxy</source>
             <translation>Finger zu Proxy</translation>
         </message>
@@ -8324,6 +8336,11 @@ Ein Modell öffnen (Strg+O), eines oder eine einfache Form hinzufügen (Datei &g
             <translation>gleitet</translation>
         </message>
         <message>
+            <source>slip</source>
+            <comment>the contact</comment>
+            <translation>gleitet</translation>
+        </message>
+        <message>
             <source>slipping</source>
             <translation>gleitet</translation>
         </message>
@@ -8341,6 +8358,11 @@ Ein Modell öffnen (Strg+O), eines oder eine einfache Form hinzufügen (Datei &g
         </message>
         <message>
             <source>stick</source>
+            <translation>haftet</translation>
+        </message>
+        <message>
+            <source>stick</source>
+            <comment>the contact</comment>
             <translation>haftet</translation>
         </message>
         <message>

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include <QImage>
 #include <QPainter>
 
 #include "ui/view/free_corner.h"
+#include "ui/view/smooth_image.h"
 
 namespace tactum {
 
@@ -79,21 +79,15 @@ std::optional<Vec3> axisAt(QPointF place, const ViewCamera& camera, const QRegio
 }
 
 void drawAxes(QPainter& painter, const ViewCamera& camera, const Theme& theme, const QRegion& covered) {
-    const double ratio = painter.device()->devicePixelRatioF();
-    QImage image((QSizeF(kSide, kSide) * ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
-    image.setDevicePixelRatio(ratio);
-    image.fill(Qt::transparent);
-    QPainter inner(&image);
-    inner.setRenderHint(QPainter::Antialiasing);
-    QFont font = painter.font();
-    font.setPixelSize(11);
-    font.setBold(true);
-    inner.setFont(font);
-    inner.translate(0.5 * kSide, 0.5 * kSide);
-    for (const AxisEnd& end : axisEnds(camera, theme))
-        drawEnd(inner, end, theme);
-    inner.end();
-    painter.drawImage(axesPlace(camera.size, covered).topLeft(), image);
+    drawSmoothly(painter, axesPlace(camera.size, covered), [&](QPainter& inner) {
+        QFont font = inner.font();
+        font.setPixelSize(11);
+        font.setBold(true);
+        inner.setFont(font);
+        inner.translate(0.5 * kSide, 0.5 * kSide);
+        for (const AxisEnd& end : axisEnds(camera, theme))
+            drawEnd(inner, end, theme);
+    });
 }
 
 } // namespace tactum

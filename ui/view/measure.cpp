@@ -7,11 +7,11 @@
 #include <vector>
 
 #include <QFontMetricsF>
-#include <QImage>
 #include <QPainter>
 
 #include "ui/base/numbers.h"
 #include "ui/view/handles.h"
+#include "ui/view/smooth_image.h"
 
 namespace tactum {
 
@@ -266,7 +266,6 @@ std::vector<QRectF> measureBoxes(std::span<const Vec3> points, const ViewCamera&
     return picture.boxes();
 }
 
-// By the processor into a picture of its own, so that edges are smooth on every context.
 void drawMeasure(QPainter& painter, std::span<const Vec3> points, const std::optional<Vec3>& next,
                  const ViewCamera& camera, const Theme& theme, const QRegion& covered) {
     std::vector<Vec3> all(points.begin(), points.end());
@@ -277,17 +276,10 @@ void drawMeasure(QPainter& painter, std::span<const Vec3> points, const std::opt
     picture.placeWords(painter.font(), view, covered);
     const QRect box = (picture.box() & view).toAlignedRect();
     if (box.isEmpty()) return;
-    const double ratio = painter.device()->devicePixelRatioF();
-    QImage image((QSizeF(box.size()) * ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
-    image.setDevicePixelRatio(ratio);
-    image.fill(Qt::transparent);
-    QPainter inner(&image);
-    inner.setRenderHint(QPainter::Antialiasing);
-    inner.setFont(painter.font());
-    inner.translate(-box.topLeft());
-    picture.draw(inner, theme, next && points.size() < 3);
-    inner.end();
-    painter.drawImage(QPointF(box.topLeft()), image);
+    drawSmoothly(painter, box, [&](QPainter& inner) {
+        inner.translate(-box.topLeft());
+        picture.draw(inner, theme, next && points.size() < 3);
+    });
 }
 
 } // namespace tactum

@@ -1,11 +1,14 @@
 #include "ui/view/view_labels.h"
 
+#include <cmath>
+
 #include <QFontMetricsF>
-#include <QImage>
+#include <QObject>
 #include <QPainter>
 #include <QPainterPath>
 
 #include "ui/base/hand_colours.h"
+#include "ui/view/smooth_image.h"
 
 namespace tactum {
 
@@ -37,32 +40,29 @@ void drawBadge(QPainter& painter, const QRectF& box, Badge badge, const QColor& 
     }
 }
 
-/// One label as a picture: drawn by the processor, so that its edges are smooth on every context.
-QImage labelImage(const QFont& font, const QString& text, Badge badge, const QColor& colour,
-                  const Theme& theme, double ratio) {
+constexpr double kMark = 18; // beside the word
+
+QSizeF labelSize(const QFont& font, const QString& text) {
     const QFontMetricsF metrics(font);
-    const double height = std::ceil(metrics.height()) + 6, mark = 18;
-    const QSizeF size(std::ceil(metrics.horizontalAdvance(text)) + mark + 12, height);
-    QImage image((size * ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
-    image.setDevicePixelRatio(ratio);
-    image.fill(Qt::transparent);
-    QPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing);
+    return {std::ceil(metrics.horizontalAdvance(text)) + kMark + 12, std::ceil(metrics.height()) + 6};
+}
+
+void drawLabel(QPainter& painter, const QSizeF& size, const QString& text, Badge badge, const QColor& colour,
+               const Theme& theme) {
+    const double height = size.height();
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme.label);
     painter.drawRoundedRect(QRectF({0, 0}, size), 0.5 * height, 0.5 * height);
-    drawBadge(painter, QRectF(4, 0, mark, height), badge, colour);
+    drawBadge(painter, QRectF(4, 0, kMark, height), badge, colour);
     painter.setPen(theme.labelText);
-    painter.setFont(font);
-    painter.drawText(QRectF(mark + 4, 0, size.width() - mark - 4, height), Qt::AlignVCenter | Qt::AlignLeft,
+    painter.drawText(QRectF(kMark + 4, 0, size.width() - kMark - 4, height), Qt::AlignVCenter | Qt::AlignLeft,
                      text);
-    return image;
 }
 
 QString forceText(const TouchState& state) {
     QString text = QString::number(state.force.norm(), 'f', 2) + " N";
-    if (!state.armed) return text + " · forces off";
-    return state.atLimit() ? text + " · limit" : text;
+    if (!state.armed) return QObject::tr("%1 · forces off").arg(text);
+    return state.atLimit() ? QObject::tr("%1 · limit").arg(text) : text;
 }
 
 /// Puts labels where they do not cover each other.
@@ -73,16 +73,15 @@ public:
 
     /// Beside `anchor`, on the side that `away` points to; lower where another label is already.
     void put(QPointF anchor, QPointF away, const QString& text, Badge badge, const QColor& colour) {
-        const double ratio = painter_.device()->devicePixelRatioF();
-        const QImage image = labelImage(painter_.font(), text, badge, colour, theme_, ratio);
-        QRectF box({0, 0}, image.deviceIndependentSize());
+        QRectF box({0, 0}, labelSize(painter_.font(), text));
         const double side = away.x() < 0 ? -1 : 1;
         box.moveCenter(anchor + QPointF(side * (0.5 * box.width() + 12), away.y() < 0 ? -6 : 6));
         for (const QRectF& other : taken_)
             if (box.intersects(other)) box.moveTop(other.bottom() + 3);
         if (!view_.contains(box)) return;
         taken_.push_back(box);
-        painter_.drawImage(QPointF(box.topLeft().toPoint()), image);
+        drawSmoothly(painter_, box,
+                     [&](QPainter& inner) { drawLabel(inner, box.size(), text, badge, colour, theme_); });
     }
 
 private:
@@ -113,7 +112,8 @@ void drawTouchLabels(QPainter& painter, const TouchState& state, const ViewCamer
     const QPointF beside = *proxy - QPointF(26, 0), left(-1, 0);
     if (state.contacts > 0 && !state.contact[0].frictionless) {
         const bool slips = state.contact[0].slipping;
-        const QString manner = slips ? "slip" : "stick";
+        const QString manner =
+            slips ? QObject::tr("slip", "the contact") : QObject::tr("stick", "the contact");
         board.put(beside, left, touched.isEmpty() ? manner : touched + " \u00b7 " + manner,
                   slips ? Badge::Waves : Badge::Bar, slips ? theme.slip : theme.stick);
     } else if (state.contacts > 0 && !touched.isEmpty()) {
@@ -122,7 +122,7 @@ void drawTouchLabels(QPainter& painter, const TouchState& state, const ViewCamer
     if (!hand.name.isEmpty())
         board.put(*finger, apart, hand.name, Badge::Ring, colours.finger);
     else if (std::hypot(apart.x(), apart.y()) > 26)
-        board.put(*finger, apart, "finger", Badge::Ring, colours.finger);
+        board.put(*finger, apart, QObject::tr("finger"), Badge::Ring, colours.finger);
 }
 
 void drawHandLabels(QPainter& painter, const TouchState& state, const ViewCamera& camera, const Theme& theme,

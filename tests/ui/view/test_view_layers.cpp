@@ -597,7 +597,7 @@ private slots:
                 })).isNull());
     }
 
-    /// Pictures of words beside what they name; how many, and where.
+    /// Words beside what they name, and where.
     void wordsBesideATouch() {
         const auto labels = [&](const TouchState& state) {
             return drawnBy({800, 600}, [&](QPainter& p) { drawTouchLabels(p, state, camera(), kDarkTheme); });
@@ -611,7 +611,7 @@ private slots:
         COMPARE_SHOWN(labels(state), "labels-unarmed");
         state.force.setZero();
         state.contacts = 0;
-        QCOMPARE(labels(state).count(QStringLiteral("picture")), 1);
+        QCOMPARE(labels(state).count(QStringLiteral("shape filled label")), 1);
         state.finger = {0, -0.012, 0};
         QCOMPARE(labels(state), "\n");
         state = touched();
@@ -622,7 +622,8 @@ private slots:
     /// Of several hands each has its name, also where finger and proxy are one; and its colours.
     void eachHandHasItsName() {
         const auto words = [&](auto draw) {
-            return drawnBy({800, 600}, [&](QPainter& p) { draw(p); }).count(QStringLiteral("picture"));
+            return drawnBy({800, 600}, [&](QPainter& p) { draw(p); })
+                .count(QStringLiteral("shape filled label"));
         };
         TouchState state = touched();
         state.contacts = 0;
