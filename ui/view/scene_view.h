@@ -33,6 +33,7 @@
 #include "ui/view/vtk_widget.h"
 
 class QMimeData;
+class QPainter;
 
 namespace tactum {
 
@@ -332,6 +333,8 @@ protected:
     void prepareFrame() override;
     void preparePicture(std::size_t number) override;
     void paintOver() override;
+    /// All that is painted over the pictures. Logical pixels.
+    void drawOver(QPainter& painter) const;
     void rested() override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;

@@ -94,6 +94,11 @@ void SceneView::paintOver() {
     QOpenGLPaintDevice device((QSizeF(size()) * devicePixelRatioF()).toSize());
     device.setDevicePixelRatio(devicePixelRatioF());
     QPainter painter(&device);
+    drawOver(painter);
+    impl_->askForLoupe();
+}
+
+void SceneView::drawOver(QPainter& painter) const {
     painter.setFont(font());
     for (const std::size_t number : impl_->panes.shown()) {
         if (!impl_->panes.isDivided()) {
@@ -108,7 +113,6 @@ void SceneView::paintOver() {
         painter.restore();
     }
     impl_->drawLines(painter);
-    impl_->askForLoupe();
 }
 
 } // namespace tactum
