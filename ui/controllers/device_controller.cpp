@@ -204,7 +204,7 @@ bool DeviceController::lead() {
 void DeviceController::adopt() {
     arming_.adoptDevice();
     if (!lead()) hint_.hide(); // the mouse leads nothing
-    settings_.resize(link_.hands().count());
+    settings_.assign(link_.hands().count(), {});
     for (std::size_t hand = 0; hand < settings_.size(); ++hand)
         apply(hand, link_.leadsItself(hand) ? rememberedSettings(link_.idOf(hand)) : DeviceSettings{});
     showSettings();
@@ -215,13 +215,16 @@ void DeviceController::adopt() {
 // How a person's device lies in the scene, and what its buttons do, belongs to neither the scene nor its
 // history: the same scene is felt with other devices, and undoing an edit must not move somebody's hand.
 void DeviceController::apply(std::size_t hand, const DeviceSettings& settings) {
-    settings_[hand] = settings;
-    settings_[hand].workspace.reach = link_.leadsItself(hand) ? bench_.publisher.scene().reach : Reach{};
-    if (const auto possible = link_.hands().setWorkspace(hand, settings_[hand].workspace); !possible)
+    DeviceSettings next = settings;
+    next.workspace.reach = link_.leadsItself(hand) ? bench_.publisher.scene().reach : Reach{};
+    if (const auto possible = link_.hands().setWorkspace(hand, next.workspace); !possible) {
         bench_.notice.showError(QString::fromStdString(possible.error().text));
+        next.workspace = settings_[hand].workspace; // nor is it there at the next start
+    }
+    settings_[hand] = next;
     link_.stop(hand).buttons = settings.stopButton;
     link_.hands().setGrasped(hand, settings.grasped);
-    if (link_.leadsItself(hand)) rememberSettings(link_.idOf(hand), settings);
+    if (link_.leadsItself(hand)) rememberSettings(link_.idOf(hand), next);
 }
 
 /// How hands reach is of the scene that is felt, and undone with it: it moves nobody's hand by itself.

@@ -21,6 +21,7 @@
 #include "tests/support/as_shown.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "tests/support/shown.h"
 #include "tests/ui/cube_file.h"
 #include "tests/ui/english.h"
 #include "tests/ui/own_folders.h"
