@@ -1,6 +1,7 @@
 // What the view tells of keys, clicks and drags with each tool, and where the camera looks afterwards. Wrong
 // itself if a signal had arguments that text() does not know: they would be left out.
 #include <QMetaMethod>
+#include <QMimeData>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -203,6 +204,54 @@ private slots:
             }
         heard.keys(QStringLiteral("Home"), {Qt::Key_Home});
         COMPARE_SHOWN(heard.said() + nudges_.join(u'\n'), "said-keys");
+    }
+
+    /// Of drags from elsewhere, double clicks, the key for menus and a pointer that leaves.
+    void ofWhatComesFromElsewhere() {
+        Heard heard;
+        SceneView& view = heard.shown.view;
+        const QPoint upper = kBallCentre - QPoint(0, 60), beside(40, 40);
+        view.setDropTypes({QStringLiteral("text/mine")});
+        QMimeData mine, other;
+        mine.setData(QStringLiteral("text/mine"), "it");
+        other.setData(QStringLiteral("text/other"), "it");
+        QString taken;
+        const auto send = [&](const char* words, auto&& event) {
+            heard.note(QLatin1String(words), [&] {
+                event.ignore();
+                QApplication::sendEvent(&view, &event);
+            });
+            taken +=
+                QStringLiteral("%1: %2\n").arg(QLatin1String(words), event.isAccepted() ? "taken" : "left");
+        };
+        send("mine comes in", QDragEnterEvent(upper, Qt::CopyAction, &mine, Qt::LeftButton, {}));
+        send("it is over the model", QDragMoveEvent(upper, Qt::MoveAction, &mine, Qt::LeftButton, {}));
+        send("it is beside", QDragMoveEvent(beside, Qt::CopyAction, &mine, Qt::LeftButton, {}));
+        send("it is let go there", QDropEvent(beside, Qt::CopyAction, &mine, Qt::LeftButton, {}));
+        // Qt drops where it has entered.
+        send("it comes again", QDragEnterEvent(upper, Qt::CopyAction, &mine, Qt::LeftButton, {}));
+        send("it is let go on the model", QDropEvent(upper, Qt::MoveAction, &mine, Qt::LeftButton, {}));
+        send("once more", QDragEnterEvent(upper, Qt::CopyAction, &mine, Qt::LeftButton, {}));
+        send("it is over the model again", QDragMoveEvent(upper, Qt::CopyAction, &mine, Qt::LeftButton, {}));
+        send("it leaves", QDragLeaveEvent());
+        send("another kind", QDragEnterEvent(upper, Qt::CopyAction, &other, Qt::LeftButton, {}));
+        view.setDropTypes({});
+        QVERIFY(!view.acceptDrops());
+        for (const auto& [name, tool] : kTools) {
+            view.setTool(tool);
+            heard.note(QStringLiteral("%1: a double click").arg(QLatin1String(name)),
+                       [&] { QTest::mouseDClick(&view, Qt::LeftButton, {}, upper); });
+            view.setDoubleClick([](const PickHit&) { return true; });
+            heard.note(QStringLiteral("%1: one that is taken").arg(QLatin1String(name)),
+                       [&] { QTest::mouseDClick(&view, Qt::LeftButton, {}, upper); });
+            view.setDoubleClick([](const PickHit&) { return false; });
+            heard.shown.waitForHand();
+        }
+        view.setTool(ViewTool::Select);
+        for (const auto reason : {QContextMenuEvent::Keyboard, QContextMenuEvent::Mouse})
+            send(reason == QContextMenuEvent::Mouse ? "a menu by the mouse" : "a menu by its key",
+                 QContextMenuEvent(reason, upper, view.mapToGlobal(upper)));
+        COMPARE_SHOWN(heard.said() + taken, "said-elsewhere");
     }
 
 private:
