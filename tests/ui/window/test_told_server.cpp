@@ -72,12 +72,13 @@ struct AtServer {
         QStringList offers;
         for (const char* each : {"Let them", "Send mine"})
             if (button(QLatin1String(each))) offers << QLatin1String(each);
-        return QStringLiteral("%1 (%2)%3, offers: %4; file %5, %6 steps, at %7\n")
+        return QStringLiteral("%1 (%2)%3, offers: %4; file %5, %6 steps, at %7 \"%8\"\n")
             .arg(bar.text(), bar.property("severity").toString(),
                  bar.findChild<QPushButton*>(QStringLiteral("connection-ask"))->isHidden() ? "" : ", may ask",
                  offers.join(u','), QString::fromStdString(told.document.path().filename().string()))
             .arg(told.document.history().count())
-            .arg(told.document.history().index());
+            .arg(told.document.history().index())
+            .arg(told.document.history().undoText());
     }
     void note(const char* words, const std::function<void()>& act) {
         effects.note(QLatin1String(words), [&] {
@@ -165,6 +166,7 @@ void TestToldServer::whatIsRefusedIsTakenBack() {
         for (const double each : {510.0, 520.0, 530.0})
             edit(each);
     });
+    at.go("what is there already", [&] { at.arrive(Arrival::Refused, stiffer(530)); });
     at.go("the last is refused", [&] { at.arrive(Arrival::Refused, stiffer(520)); });
     at.go("it is done again", [&] { document.history().redo(); });
     at.go("two are refused", [&] { at.arrive(Arrival::Refused, stiffer(510)); });
@@ -199,6 +201,8 @@ void TestToldServer::thePenGoesRound() {
     at.note("somebody asks", ask);
     at.note("and goes", [&] { at.server.asker.clear(); });
     at.go("asks again", ask);
+    at.go("goes again", [&] { at.server.asker.clear(); });
+    at.go("asks once more", ask);
     at.go("is let", [&] { at.press("Let them"); });
     QCOMPARE(at.server.penGiven, std::vector<std::string>{"Ada"});
     const auto& panel = *at.told.window->findChild<DevicePanel*>();
