@@ -18,6 +18,7 @@ public:
     RecordedRun run;                                  ///< that it has recorded
     std::vector<std::shared_ptr<const World>> worlds; ///< that it was given
     std::vector<bool> deadMen, overrides;             ///< each that it was asked for
+    std::vector<std::size_t> restarted;               ///< hands whose proxy was put where the finger is
 
     Result<void> start() override { return {}; }
     Result<void> stop() override { return {}; }
@@ -59,7 +60,7 @@ public:
     const HandReport& told(std::size_t hand) const override { return of[hand]; }
     Result<void> setWorkspaceOf(std::size_t, const Workspace&) override { return {}; }
     void setGraspedOf(std::size_t, bool) override {}
-    void restartProxyOf(std::size_t) override {}
+    void restartProxyOf(std::size_t hand) override { restarted.push_back(hand); }
     void setArmedOf(std::size_t hand, bool armed) override { of[hand].armed = armed; }
     void setAllArmed(bool armed) override {
         for (HandReport& each : of)

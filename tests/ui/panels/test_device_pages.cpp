@@ -240,6 +240,19 @@ private slots:
         COMPARE_SHOWN(shownIn(page), "workspace-no-button");
     }
 
+    void whatIsBeyondTheShellIsSaid() {
+        WorkspaceFields page;
+        const auto says = [&](bool possible, const Vec3& handle, double border) {
+            page.show({}, 0, 0.1, possible);
+            page.follow(handle, border);
+            return !part<QLabel>(page, "workspace-beyond").isHidden();
+        };
+        QVERIFY(says(true, {0, 0.03, 0.04}, 0.049));
+        QVERIFY(!says(true, {0, 0.03, 0.04}, 0.051));
+        QVERIFY(!says(true, {0, 0.03, 0.04}, 0)); // there is none
+        QVERIFY(!says(false, {0, 0.03, 0.04}, 0.049));
+    }
+
     void axesAreSetByMoving() {
         WorkspaceFields page;
         page.show({}, 0, 0.1, true);

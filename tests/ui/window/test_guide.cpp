@@ -1,7 +1,9 @@
 // The guide against the program: its keys, the commands that it names, and that none of its links leads
 // nowhere. With TACTUM_WRITE_GUIDE=1 the page of the keys is written anew.
+#include <QDialog>
 #include <QDir>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPointer>
 #include <QRegularExpression>
@@ -11,6 +13,7 @@
 #include <QTextTable>
 #include <QTreeWidget>
 
+#include "tests/support/as_shown.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/cube_file.h"
@@ -57,6 +60,7 @@ private slots:
     void wordsAreFoundOnAllPages();
     void whatIsFoundHasItsHeading();
     void itLooksLikeTheWindow();
+    void theSheetIsSearched();
 };
 
 void TestGuide::theKeysAreThoseOfTheProgram() {
@@ -263,6 +267,31 @@ void TestGuide::itLooksLikeTheWindow() {
         QCOMPARE(picture.pixelColor(2, 2), theme().panel);
     }
     applyTheme(ThemeChoice::Dark);
+}
+
+/// Each row that is left, and its topic.
+void TestGuide::theSheetIsSearched() {
+    QWidget parent;
+    parent.resize(900, 700);
+    showKeyboardSheet(&parent);
+    auto* sheet = parent.findChild<QDialog*>(QStringLiteral("keyboard-sheet"));
+    QVERIFY(sheet);
+    QCOMPARE_LE(sheet->height(), parent.height());
+    auto* nothing = sheet->findChild<QLabel*>(QStringLiteral("nothing-found"));
+    const auto rows = [&](const char* words) {
+        sheet->findChild<QLineEdit*>()->setText(QLatin1String(words));
+        QStringList texts;
+        for (const auto* each : nothing->parentWidget()->findChildren<QLabel*>())
+            if (!each->isHidden()) texts << each->text();
+        return texts;
+    };
+    const qsizetype all = rows("").size();
+    QCOMPARE_GT(all, 2 * 60);
+    COMPARE_SHOWN(rows("panel").join(u'\n'), "sheet-panel");
+    COMPARE_SHOWN(rows("view home").join(u'\n'), "sheet-view-home");
+    QCOMPARE(rows("no such words"), QStringList{nothing->text()});
+    QCOMPARE(rows("").size(), all);
+    delete sheet;
 }
 
 TACTUM_GUI_TEST(TestGuide)

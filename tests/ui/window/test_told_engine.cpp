@@ -1,6 +1,8 @@
 // What the window makes of what its engine tells: faults and pauses, hands that come and go, buttons of the
 // device, what is touched. Wrong itself if the engine told something that a real one never does: the states
 // are those of a HandReport, each alone.
+#include <algorithm>
+
 #include <QAction>
 #include <QMenu>
 #include <QMenuBar>
@@ -216,6 +218,16 @@ void TestToldEngine::handsOfTheServerComeAndGo() {
         told.engine.of.resize(1);
         told.engine.chosen = 0;
     });
+    told.engine.of.resize(3);
+    told.frames(3);
+    told.engine.restarted.clear();
+    testing::adopt(told.document, knownScene()); // another scene: no proxy stays inside of it
+    told.catchUp();
+    told.frames(3);
+    std::ranges::sort(told.engine.restarted);
+    const auto again = std::ranges::unique(told.engine.restarted);
+    told.engine.restarted.erase(again.begin(), again.end());
+    QCOMPARE(told.engine.restarted, (std::vector<std::size_t>{1, 2})); // the mouse puts its own elsewhere
     COMPARE_SHOWN(effects.text(), "told-hands");
     COMPARE_SHOWN(chosen, "told-hands-chosen");
 }
