@@ -30,7 +30,7 @@ inline QString roundedOf(const std::vector<double>& values, double largest) {
     const double step = largest > 0 ? std::pow(10, std::floor(std::log10(largest)) - 4) : 1;
     QStringList texts;
     for (const double each : values) {
-        const double steps = std::round(each / step);
+        const double steps = std::round(each / step + 1e-3); // powers of two lie on the edge
         texts << QString::number(steps == 0 ? 0 : steps * step, 'g', 5);
     }
     return u'(' + texts.join(u' ') + u')';
