@@ -27,7 +27,7 @@
 #include "tests/ui/own_folders.h"
 #include "tests/ui/panels/panels.h"
 #include "tests/ui/window/left_journal.h"
-#include "tests/ui/window/told_window.h"
+#include "tests/ui/window/window_with_files.h"
 #include "ui/showing/playback.h"
 #include "ui/showing/playback_bar.h"
 #include "ui/view/scene_view.h"
@@ -56,49 +56,22 @@ std::function<void(QDialog&)> pressing(QMessageBox::StandardButton which) {
     return [which](QDialog& dialog) { dynamic_cast<QMessageBox&>(dialog).button(which)->click(); };
 }
 
-/// The window, its title and what is said of its files.
-struct Desk {
-    explicit Desk(const QString& theFolder) : folder(theFolder) {
-        testing::adopt(told.document, testing::knownScene());
-        told.catchUp();
-    }
-    QString file(const char* name) const { return folder + u'/' + QLatin1String(name); }
+/// The window, its title and which files there are.
+class Desk : public WindowWithFiles {
+public:
+    using WindowWithFiles::WindowWithFiles;
     std::filesystem::path path(const char* name) const { return file(name).toStdString(); }
 
-    /// Until nothing is saved or opened any more.
-    void note(const QString& words, const std::function<void()>& act,
-              std::function<void(QDialog&)> answer = {}) {
-        if (answer) effects.answerNext(std::move(answer));
-        effects.note(words, [&] {
-            act();
-            const Document& document = told.document;
-            const auto rests = [&] { // a question is answered when the dialog is there
-                return !QApplication::activeModalWidget() && !document.saving() && !document.opening() &&
-                       !document.editing();
-            };
-            if (!test::waitFor(rests)) qFatal("it does not end");
-            told.frames(2);
-            const QStringList files =
-                QDir(folder).entryList({QStringLiteral("*.*")}, QDir::Files, QDir::Name);
-            titles += QStringLiteral("%1: \"%2\"%3, %4\n")
-                          .arg(words, told.window->windowTitle(),
-                               told.window->isWindowModified() ? " modified" : "", files.join(u' '));
-        });
+private:
+    bool rests() const override {
+        return !told.document.saving() && !told.document.opening() && !told.document.editing();
     }
-    void command(const char* id, std::function<void(QDialog&)> answer = {}) {
-        note(
-            QLatin1String(id), [&] { told.command(id).trigger(); }, std::move(answer));
+    QString files() const override {
+        const QStringList all = QDir(folder).entryList({QStringLiteral("*.*")}, QDir::Files, QDir::Name);
+        return QStringLiteral("\"%1\"%2, %3")
+            .arg(told.window->windowTitle(), told.window->isWindowModified() ? " modified" : "",
+                 all.join(u' '));
     }
-    QString said() const {
-        QString text = effects.text() + titles;
-        return text.replace(folder, QStringLiteral("FOLDER"));
-    }
-
-    QString folder;
-    ToldWindow told;
-    WindowEffects effects{*told.window, told.document, [this] { return !told.window->publisher().working(); },
-                          [] {}};
-    QString titles;
 };
 
 } // namespace

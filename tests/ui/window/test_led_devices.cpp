@@ -300,7 +300,7 @@ void TestLedDevices::theyLieInTheScene() {
     COMPARE_SHOWN(states.text(), "devices-lie-pages");
     QCOMPARE(kept.stopButton, 1U);
     QVERIFY(kept.grasped);
-    QVERIFY(kept.workspace.scale > 3); // what was impossible is not kept
+    QCOMPARE_GT(kept.workspace.scale, 3); // what was impossible is not kept
     testing::adopt(desk.document, Scene());
     desk.command("workspace-fit").trigger();
     COMPARE_NEAR(rememberedSettings(kArm).workspace.offset, Vec3(0, 0, 0), 1e-12, "m");

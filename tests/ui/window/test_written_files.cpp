@@ -14,7 +14,7 @@
 #include "tests/ui/english.h"
 #include "tests/ui/own_folders.h"
 #include "tests/ui/panels/panels.h"
-#include "tests/ui/window/told_window.h"
+#include "tests/ui/window/window_with_files.h"
 #include "ui/document/preset_store.h"
 #include "ui/panels/preset_form.h"
 #include "ui/panels/preset_library.h"
@@ -38,29 +38,24 @@ std::function<void(QDialog&)> typed(const QString& file, int kind = 0) {
     };
 }
 
-struct Desk {
-    explicit Desk(const QString& theFolder) : folder(theFolder) {
-        testing::adopt(told.document, testing::knownScene());
-        told.catchUp();
+class Desk : public WindowWithFiles {
+public:
+    explicit Desk(const QString& theFolder) : WindowWithFiles(theFolder) {
         store = told.window->findChild<PresetStore*>();
-        library = told.window->findChild<PresetLibrary*>();
+        list = told.window->findChild<PresetLibrary*>();
         if (!test::waitFor([this] { return !store->loading() && !store->presets().empty(); }))
             qFatal("no presets");
     }
-    QString file(const char* name) const { return folder + u'/' + QLatin1String(name); }
     QString notice() const { return told.window->findChild<NoticeBar*>()->text(); }
-    void note(const QString& words, const std::function<void()>& act,
-              std::function<void(QDialog&)> answer = {}) {
-        if (answer) effects.answerNext(std::move(answer));
-        effects.note(words, [&] {
-            act();
-            const auto rests = [&] {
-                return !QApplication::activeModalWidget() && !store->loading() &&
-                       !notice().startsWith(QStringLiteral("Writing"));
-            };
-            if (!test::waitFor(rests)) qFatal("it does not end");
-            told.frames(3);
-        });
+
+    PresetStore* store = nullptr;
+    PresetLibrary* list = nullptr;
+
+private:
+    bool rests() const override {
+        return !store->loading() && !notice().startsWith(QStringLiteral("Writing"));
+    }
+    QString files() const override {
         QStringList kinds;
         for (const QString& name : QDir(folder).entryList(QDir::Files, QDir::Name)) {
             QFile written(folder + u'/' + name);
@@ -76,26 +71,11 @@ struct Desk {
         int own = 0;
         for (const StoredPreset& each : store->presets())
             own += each.own;
-        folders += QStringLiteral("%1: %2; own presets %3, chosen %4\n")
-                       .arg(words, kinds.join(u','))
-                       .arg(own)
-                       .arg(library->chosen() ? library->chosen()->name() : QStringLiteral("none"));
+        return QStringLiteral("%1; own presets %2, chosen %3")
+            .arg(kinds.join(u','))
+            .arg(own)
+            .arg(list->chosen() ? list->chosen()->name() : QStringLiteral("none"));
     }
-    void command(const char* id, std::function<void(QDialog&)> answer = {}) {
-        note(
-            QLatin1String(id), [&] { told.command(id).trigger(); }, std::move(answer));
-    }
-    QString said() const {
-        QString text = effects.text() + folders;
-        return text.replace(folder, QStringLiteral("FOLDER"));
-    }
-
-    QString folder;
-    ToldWindow told;
-    PresetStore* store = nullptr;
-    PresetLibrary* library = nullptr;
-    WindowEffects effects{told.effects()};
-    QString folders;
 };
 
 void write(const QString& file, const QByteArray& text) {
@@ -124,9 +104,9 @@ private slots:
 
     void presets() {
         Desk desk(own_);
-        desk.note(QStringLiteral("none is chosen"), [&] { emit desk.library->applyAsked(); });
-        desk.library->choose(desk.store->presets().front().file);
-        desk.note(QStringLiteral("nothing is selected"), [&] { emit desk.library->applyAsked(); });
+        desk.note(QStringLiteral("none is chosen"), [&] { emit desk.list->applyAsked(); });
+        desk.list->choose(desk.store->presets().front().file);
+        desk.note(QStringLiteral("nothing is selected"), [&] { emit desk.list->applyAsked(); });
         desk.note(QStringLiteral("selected"), [&] { desk.told.document.select({kLid}); });
         desk.command("preset-apply");
         desk.command("preset-export", typed(desk.file("first.tactum-preset")));
@@ -155,11 +135,11 @@ private slots:
         take("clay.tactum-preset");
         take("bad.tactum-preset");
         take("no.xml");
-        desk.note(QStringLiteral("removed"), [&] { emit desk.library->removed(QStringLiteral("Clay")); });
+        desk.note(QStringLiteral("removed"), [&] { emit desk.list->removed(QStringLiteral("Clay")); });
         desk.note(QStringLiteral("locked"), [&] {
             desk.told.document.select({kLid});
             desk.told.command("lock").trigger();
-            emit desk.library->applyAsked();
+            emit desk.list->applyAsked();
         });
         COMPARE_SHOWN(desk.said(), "written-presets");
     }
