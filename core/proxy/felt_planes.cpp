@@ -5,12 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "core/base/inplace_vector.h"
-#include "core/proxy/surface_under.h"
-#include "core/surface/friction.h"
-#include "core/surface/shaded_normal.h"
-
 namespace tactum {
+
 namespace {
 
 // A foot on the true planes that is below one of them by less than this part of the radius is on it.
@@ -23,35 +19,6 @@ constexpr double kInACorner = 1e-2;
 constexpr double kCrossing = 1e-4;
 // What is felt of one face goes on over others whose normal has at least this cosine with its own.
 constexpr double kHardlyLeans = 0.95;
-constexpr double kFarthest = 2;
-// Beyond an edge it is hollow where the way to the next face is shorter by this part of it, squared.
-constexpr double kHollow = 1e-9;
-// A slide is followed over so many edges.
-constexpr int kMostEdges = 6;
-// A slide is good whose end wishes no more than this part of it back.
-constexpr double kOvershoot = 0.001;
-constexpr int kSearches = 8;
-
-// Beside a face its normals go on as they change over it, which is how the next face mostly has them: as far
-// as the face is large.
-ClosestPoint noFartherThanItself(ClosestPoint foot) noexcept {
-    constexpr double kMiddle = 1.0 / 3, kFarthestWeight = -1;
-    const double least = foot.weights.minCoeff();
-    if (least >= kFarthestWeight) return foot;
-    const Vec3 middle = Vec3::Constant(kMiddle);
-    foot.weights = middle + (kFarthestWeight - kMiddle) / (least - kMiddle) * (foot.weights - middle);
-    return foot;
-}
-
-// Onto which triangle of its surface a felt one goes on over the edge that a foot is on.
-Index goesOnOver(const Obstacle& obstacle, const SmoothNormals& normals, const auto& foot) noexcept {
-    if (foot.point.feature != Feature::Edge) return SmoothNormals::kNothing;
-    int opposite = 0;
-    foot.point.weights.cwiseAbs().minCoeff(&opposite);
-    const Index next = normals.across[foot.triangle][std::size_t(opposite)];
-    if (next == SmoothNormals::kNothing) return next;
-    return obstacle.surfaceOf(next) == obstacle.surfaceOf(foot.triangle) ? next : SmoothNormals::kNothing;
-}
 
 } // namespace
 
@@ -125,31 +92,6 @@ bool FeltPasses::settleAsLooked(ProxyState& state, const FeltContacts& on) noexc
     return true;
 }
 
-// What dry friction holds back of a wish along the unit vector `way` where the proxy slides: the least of
-// the planes that push, m.
-double FeltPasses::held(const Vec3& way) const noexcept {
-    InplaceVector<Push, kMaxPlanes> pushes;
-    for (std::size_t i = 0; i < on_->contacts.size(); ++i)
-        pushes.push({true_[i].normal, result_.lambda[i], feltAlone(i)});
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < pushes.size(); ++i) {
-        if (!(pushes[i].lambda > 0)) continue;
-        const double coefficient = frictionLimit(material_[i], true).coefficient;
-        // What lies ahead may lean from what the way goes along.
-        const Vec3 along = (way - way.dot(true_[i].normal) * true_[i].normal).normalized();
-        least = std::min(least, coefficient * depthOnSlope(pushes.all(), i, coefficient, along));
-    }
-    return std::isfinite(least) ? least : 0;
-}
-
-// Of the viscosity of what pushes, s.
-double FeltPasses::lag() const noexcept {
-    double most = 0;
-    for (std::size_t i = 0; i < on_->contacts.size(); ++i)
-        if (result_.lambda[i] > 0) most = std::max(most, frictionLimit(material_[i], true).lag);
-    return most;
-}
-
 void FeltPasses::settle(ProxyState& state) const noexcept {
     for (std::size_t i = 0; i < on_->contacts.size(); ++i) {
         on_->contacts[i].lambda = result_.lambda[i];
@@ -170,45 +112,14 @@ double FeltPasses::locate(std::size_t i, Look where) noexcept {
     const Pose pose = poseNow(obstacle, on_->movers);
     const Vec3 centre = pose.applyInverse(centre_);
     const Foot foot = footAt(contact, obstacle, centre, where);
-    foot_.push(foot.point);
     const bool isBeyond = foot.triangle != contact.triangle || foot.point.weights.minCoeff() < 0;
     const Vec3 away = centre - foot.point.point;
     const double distance = away.norm();
     true_.push({distance > 0 ? pose.rotate(away / distance) : contact.normal, on_->radius - distance});
     material_.push(obstacle.material(foot.triangle));
-    looked_.push({contact.body, contact.triangle, foot.triangle, isBeyond, false});
+    foot_.push(foot);
+    looked_.push({contact.body, contact.triangle, isBeyond, false});
     return true_[i].offset;
-}
-
-FeltPasses::Foot FeltPasses::footAt(const Contact& contact, const Obstacle& obstacle, const Vec3& centre,
-                                    Look where) const noexcept {
-    const Triangle triangle = obstacle.triangle(contact.triangle);
-    const SurfaceFeel* feel = feelOf(obstacle, contact.triangle);
-    if (where == Look::AheadOverEdges && feel && feel->normals)
-        return footOverEdges(contact, obstacle, *feel->normals, centre);
-    const bool goesOn = where != Look::Here && contact.bend == 0;
-    return {goesOn ? footOnPlane(triangle, centre) : closestPoint(triangle, centre), contact.triangle};
-}
-
-// On a shaded surface, over edges around which a large proxy rolls, and down onto what comes next. In a
-// hollow and where the surface ends it goes on in its plane.
-FeltPasses::Foot FeltPasses::footOverEdges(const Contact& contact, const Obstacle& obstacle,
-                                           const SmoothNormals& normals, const Vec3& centre) const noexcept {
-    const Triangle triangle = obstacle.triangle(contact.triangle);
-    const Foot inPlane{footOnPlane(triangle, centre), contact.triangle};
-    if (inPlane.point.weights.minCoeff() >= 0) return inPlane;
-    const auto distance2 = [&](const Foot& foot) { return (centre - foot.point.point).squaredNorm(); };
-    Foot foot{closestPoint(triangle, centre), contact.triangle};
-    for (int edges = 0; edges < kMostEdges && foot.point.feature != Feature::Face; ++edges) {
-        const Index next = goesOnOver(obstacle, normals, foot);
-        if (next == SmoothNormals::kNothing)
-            return contact.bend == 0 && foot.triangle == contact.triangle ? inPlane : foot;
-        const Foot there{closestPoint(obstacle.triangle(next), centre), next};
-        if (distance2(there) < (1 - kHollow) * distance2(inPlane)) return inPlane;
-        if (!(distance2(there) < distance2(foot))) break; // it rolls around the edge
-        foot = there;
-    }
-    return foot;
 }
 
 // Its felt planes. They mean something only at the place that is touched; what the proxy hovers over has
@@ -216,43 +127,26 @@ FeltPasses::Foot FeltPasses::footOverEdges(const Contact& contact, const Obstacl
 void FeltPasses::look(std::size_t i) noexcept {
     looked_[i].isFelt = true;
     const Obstacle& obstacle = on_->obstacles[on_->contacts[i].body];
-    const Index index = looked_[i].on;
-    const SurfaceFeel* feel = feelOf(obstacle, index);
+    const SurfaceFeel* feel = feelOf(obstacle, foot_[i].triangle);
     if (!feel) return add(i, true_[i].normal);
     const Pose pose = poseNow(obstacle, on_->movers);
-    const Triangle triangle = obstacle.triangle(index);
-    const Vec3 away = pose.rotateInverse(true_[i].normal);
-    Vec3 base = away;
-    Mat3 turning = Mat3::Zero();
-    if (feel->normals) {
-        const ClosestPoint nearby = noFartherThanItself(foot_[i]);
-        base = shadedNormal(*feel->normals, index, triangle, nearby, away);
-        if (feel->texture && feel->texture->asksForTurning)
-            turning = shadedNormalGradient(*feel->normals, index, triangle, nearby, base);
-    }
-    if (!feel->texture) return add(i, pose.rotate(base));
-    TexturePoint point = texturePointOn(*obstacle.mesh->soup, index, triangle, foot_[i], base);
-    point.normalGradient = turning;
-    point.passing = pose.rotateInverse(on_->passing);
-    const TextureFeel touch = tactum::feel(*feel->texture, point, on_->smallestFeature);
-    material_[i] = modulated(material_[i], touch);
-    FeltSlopes slopes;
-    const int count = slopesOf(touch, slopes);
-    for (int k = 0; k < count; ++k)
-        add(i, pose.rotate(leaningAtMost(bumpedNormal(base, slopes[std::size_t(k)]), away)));
+    const FeltNormals normals = feltNormals(obstacle, *feel, foot_[i], pose.rotateInverse(true_[i].normal),
+                                            finenessOn(pose), material_[i]);
+    for (const Vec3& normal : normals.all())
+        add(i, pose.rotate(normal));
 }
 
 // What is hovered over has no felt plane, but pass 2 may push there: it rubs as its layers say.
 void FeltPasses::rub(std::size_t i) noexcept {
     const Obstacle& obstacle = on_->obstacles[on_->contacts[i].body];
-    const Index index = looked_[i].on;
-    const SurfaceFeel* feel = feelOf(obstacle, index);
-    if (!feel || !feel->texture) return;
+    const SurfaceFeel* feel = feelOf(obstacle, foot_[i].triangle);
+    if (!feel) return;
     const Pose pose = poseNow(obstacle, on_->movers);
-    TexturePoint point = texturePointOn(*obstacle.mesh->soup, index, obstacle.triangle(index), foot_[i],
-                                        pose.rotateInverse(true_[i].normal));
-    point.passing = pose.rotateInverse(on_->passing);
-    material_[i] = modulated(material_[i], tactum::feel(*feel->texture, point, on_->smallestFeature));
+    rubAsFelt(obstacle, *feel, foot_[i], pose.rotateInverse(true_[i].normal), finenessOn(pose), material_[i]);
+}
+
+Fineness FeltPasses::finenessOn(const Pose& pose) const noexcept {
+    return {on_->smallestFeature, pose.rotateInverse(on_->passing)};
 }
 
 // Of a contact: the felt normal that pushes, if it is one alone.
@@ -428,55 +322,6 @@ NearestPoint FeltPasses::update(ProxyState& state, const FeltContacts& on) noexc
     if (state.position != centre_ || !hasLookedAt(on.contacts)) at(state.position, Look::Here);
     settle(state);
     return result_;
-}
-
-double FeltPasses::reach(const ProxyState& state, const FeltContacts& on, const Vec3& drop, const Vec3& slide,
-                         const Hold& hold, double settled, bool mayExtend) noexcept {
-    on_ = &on;
-    const double atStart = slide.norm();
-    const Vec3 way = slide / atStart;
-    const bool looks = hold.back > 0;
-    const Look where = looks ? Look::AheadOverEdges : Look::AheadInPlane;
-    const double heldAtStart = looks ? held(way) : 0; // the update looked there
-    double before = 0, wishBefore = atStart;
-    const auto wishAfter = [&](double part) {
-        double wish = at(state.position + (drop + part * slide), where).x.dot(way);
-        if (looks) wish -= hold.back + held(way) - heldAtStart;
-        if (looks && hold.lag > 0) {
-            // Where the viscosity changes on the way, too, the mean of both ends holds the slide.
-            const double length = atStart * 2 * hold.lag / (hold.lag + lag());
-            wish += (1 - hold.followed) * (length - part * atStart - wish);
-        }
-        const double secant = (part - before) * atStart / (wishBefore - wish);
-        leads_ = secant > 0 ? std::min(secant, kFarthest) : 1;
-        before = part, wishBefore = wish;
-        return wish;
-    };
-    double low = 0, high = 1, atLow = atStart, atHigh = wishAfter(1);
-    // What rubs does not come back from where it went too far: there nobody goes without a look, nor where
-    // one sees less friction because the face that is touched ends.
-    const auto isOnFace = [](const Contact& contact) { return contact.bend == 0; };
-    const bool goesOn = !looks || std::ranges::all_of(on.contacts, isOnFace);
-    if (mayExtend && goesOn && atHigh > settled && atHigh < atLow) {
-        const double farther = std::min(atLow / (atLow - atHigh), kFarthest);
-        if (!looks) return farther;
-        low = 1, atLow = atHigh, high = farther, atHigh = wishAfter(farther);
-    }
-    const double near = std::max(kOvershoot * atStart, settled);
-    if (atHigh >= -near) return high;
-    // The Illinois method, and hardly beyond the turning point: where the felt normal jumps, on the edge
-    // between two painted triangles, the proxy comes to rest on the side that it came from.
-    for (int i = 0; i < kSearches; ++i) {
-        const double middle = low + (high - low) * atLow / (atLow - atHigh);
-        const double there = wishAfter(middle);
-        if (std::abs(there) <= near) return middle;
-        if (there > 0) {
-            low = middle, atLow = there, atHigh *= 0.5;
-        } else {
-            high = middle, atHigh = there, atLow *= 0.5;
-        }
-    }
-    return low;
 }
 
 } // namespace tactum

@@ -7,6 +7,7 @@
 
 #include "core/base/inplace_vector.h"
 #include "core/proxy/proxy.h"
+#include "core/proxy/surface_under.h"
 
 namespace tactum {
 
@@ -72,33 +73,18 @@ private:
     struct Looked {
         std::uint32_t body = 0;
         Index triangle = 0;
-        Index on = 0;          ///< the triangle that it would touch there
-        bool isBeyond = false; ///< that is another one, or the place lies beside its face
+        bool isBeyond = false; ///< it would touch another one there, or the place lies beside its face
         bool isFelt = false;   ///< look() was there: what it rubs with is what its layers say
     };
-    /// Where a proxy would touch.
-    struct Foot {
-        ClosestPoint point;
-        Index triangle = 0;
-    };
 
-    /// Where a place is looked at. At those that the proxy may go to a face that it touches counts as going
-    /// on beyond its edges: what comes there is not known, and seldom an end. What rubs does not come back
-    /// from where it went too far, and is asked what it would touch there.
-    enum class Look : std::uint8_t { Here, AheadInPlane, AheadOverEdges };
     const NearestPoint& at(const Vec3& centre, Look where) noexcept;
     void clear() noexcept;
     bool hasLookedAt(std::span<const Contact> contacts) const noexcept;
-    double held(const Vec3& way) const noexcept;
-    double lag() const noexcept;
     void settle(ProxyState& state) const noexcept;
     double locate(std::size_t i, Look where) noexcept;
-    Foot footAt(const Contact& contact, const Obstacle& obstacle, const Vec3& centre,
-                Look where) const noexcept;
-    Foot footOverEdges(const Contact& contact, const Obstacle& obstacle, const SmoothNormals& normals,
-                       const Vec3& centre) const noexcept;
     void look(std::size_t i) noexcept;
     void rub(std::size_t i) noexcept;
+    Fineness finenessOn(const Pose& pose) const noexcept;
     std::optional<Vec3> feltAlone(std::size_t i) const noexcept;
     void add(std::size_t owner, const Vec3& normal) noexcept;
     bool isAboveAll(const Vec3& u) noexcept;
@@ -114,13 +100,16 @@ private:
     void pushAlongTrueNormals() noexcept;
     void secondPass(const Vec3& subgoal) noexcept;
     bool projectBack(const Vec3& subgoal) noexcept;
+    // felt_slide.cpp
+    double held(const Vec3& way) const noexcept;
+    double lag() const noexcept;
 
     const FeltContacts* on_ = nullptr;
     Vec3 centre_ = Vec3::Zero();
     double leads_ = 1; ///< how many times its wish leads on from where it was looked last, by the secant
     InplaceVector<Looked, kMaxPlanes> looked_; ///< all contacts, as at the last look
     InplaceVector<ConstraintPlane, kMaxPlanes> true_, felt_;
-    InplaceVector<ClosestPoint, kMaxPlanes> foot_; ///< of each contact, on the triangle that looked_ says
+    InplaceVector<Foot, kMaxPlanes> foot_; ///< of each contact, where it would touch there
     InplaceVector<Material, kMaxPlanes> material_;
     InplaceVector<std::uint8_t, kMaxPlanes> owner_; ///< of each felt plane: its contact
     NearestPoint pushing_;                          ///< of pass 1
