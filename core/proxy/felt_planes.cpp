@@ -78,13 +78,6 @@ bool FeltPasses::hasLookedAt(std::span<const Contact> contacts) const noexcept {
     });
 }
 
-std::optional<Vec3> FeltPasses::restAt(const FeltContacts& on, const Vec3& place, double most) noexcept {
-    if (place != centre_ || result_.x.norm() > most || !hasLookedAt(on.contacts)) return std::nullopt;
-    on_ = &on;
-    const Vec3 rest = leads_ * result_.x;
-    return isFree(rest) ? rest : result_.x;
-}
-
 bool FeltPasses::settleAsLooked(ProxyState& state, const FeltContacts& on) noexcept {
     if (!hasLookedAt(on.contacts)) return false;
     on_ = &on;

@@ -60,9 +60,10 @@ public:
     double reach(const ProxyState& state, const FeltContacts& on, const Vec3& drop, const Vec3& slide,
                  const Hold& hold, double settled, bool mayExtend) noexcept;
 
-    /// Where the proxy would come to rest from `place`, relative to it: nothing where that is farther than
-    /// `most`, or not known without another look.
-    std::optional<Vec3> restAt(const FeltContacts& on, const Vec3& place, double most) noexcept;
+    /// Leads the motion from `from` that reach() looked along on, without friction, to where the proxy comes
+    /// to rest. Whether it is known to: then it would wish no farther there than `settled`, m, as far as the
+    /// secants of the places tell that were looked at. At most four updates.
+    bool comeToRest(const FeltContacts& on, const Vec3& from, Vec3& motion, double settled) noexcept;
 
     /// Whether the contacts are those that were looked at last; then they get what was found there, as by
     /// update().
@@ -101,12 +102,27 @@ private:
     void secondPass(const Vec3& subgoal) noexcept;
     bool projectBack(const Vec3& subgoal) noexcept;
     // felt_slide.cpp
+    /// What is wished at a place, m.
+    struct Wish {
+        Vec3 place = Vec3::Zero();
+        Vec3 way = Vec3::Zero();
+    };
+    /// Where a wish leads, relative to where it was looked last, and what would be left of it there, m.
+    struct Rest {
+        Vec3 way = Vec3::Zero();
+        double leaves = 0;
+    };
+    Rest rest() noexcept;
+    std::optional<Vec3> root() const noexcept;
+    void lookOn(const Vec3& place) noexcept;
     double held(const Vec3& way) const noexcept;
     double lag() const noexcept;
 
     const FeltContacts* on_ = nullptr;
     Vec3 centre_ = Vec3::Zero();
-    double leads_ = 1; ///< how many times its wish leads on from where it was looked last, by the secant
+    Vec3 way_ = Vec3::Zero();                  ///< of the slide that it looked along last
+    double leads_ = 1;                         ///< how many times its wish leads on along that, by the secant
+    InplaceVector<Wish, 2> before_;            ///< where else it looked on this slide
     InplaceVector<Looked, kMaxPlanes> looked_; ///< all contacts, as at the last look
     InplaceVector<ConstraintPlane, kMaxPlanes> true_, felt_;
     InplaceVector<Foot, kMaxPlanes> foot_; ///< of each contact, where it would touch there

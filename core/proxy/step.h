@@ -83,7 +83,6 @@ private:
     FeltContacts feltContacts() noexcept;
     NearestPoint updateFelt() noexcept;
     Vec3 alongFelt(const Vec3& drop, Vec3 slide, double back, bool mayExtend) noexcept;
-    bool addKnownRest(Vec3& motion) noexcept;
     double settled() const noexcept;
     Vec3 seat() noexcept;
     Vec3 seatOnFelt() noexcept;

@@ -61,15 +61,6 @@ Vec3 Step::alongFelt(const Vec3& drop, Vec3 slide, double back, bool mayExtend) 
     return drop + slide;
 }
 
-// Where the way ends it may have been looked already, and what is wished there may be what the last round
-// would go: then this one does.
-bool Step::addKnownRest(Vec3& motion) noexcept {
-    const auto rest = passes_->restAt(feltContacts(), state_.position + motion, settled());
-    if (!rest) return false;
-    motion += *rest;
-    return true;
-}
-
 double Step::settled() const noexcept {
     return state_.stillFor > 0 ? rest_ : kSettled * radius_;
 }

@@ -141,7 +141,7 @@ bool Step::round() noexcept {
     const double excess = along.norm();
     // Nor does a step end beside what is pressed, in the middle of a long slide: its last round only goes
     // down.
-    bool onlyDown = rubbing && excess > rest_ && rounds_ == mostRounds_;
+    bool onlyDown = (felt_ || rubbing) && excess > rest_ && rounds_ == mostRounds_;
     const double slide = excess > rest_ && !onlyDown ? frictionAllows(along / excess, excess) : 0;
     // Friction that lets go entirely is none; the last rounds take no risks.
     const bool bold = rounds_ < mostRounds_ - 2;
@@ -153,7 +153,8 @@ bool Step::round() noexcept {
     if (motion.norm() <= rest_) return onlyDown;
     // A curved step is a guess: where it led onto a flat face it went too far, and the next round says
     // so.
-    const bool settles = felt_ && free && addKnownRest(motion);
+    const bool settles =
+        felt_ && free && passes_->comeToRest(feltContacts(), state_.position, motion, settled());
     guessed_ = felt_ ? !settles && motion.norm() > settled() : free && motion != wish;
     std::uint32_t body = kNoBody;
     SweepHit hit = sweep(motion, body);

@@ -76,8 +76,9 @@ void FeltPassesTest::knowsWhereItLookedLast() {
     const Vec3 wish = passes.update(state, stroke.contactsOf(state)).x;
     QCOMPARE_GT(wish.norm(), 1e-6);
     const double reach = passes.reach(state, stroke.contactsOf(state), Vec3::Zero(), wish, {}, 0, false);
+    Vec3 motion = reach * wish;
+    QVERIFY(passes.comeToRest(stroke.contactsOf(state), state.position, motion, kRadius));
     state.position += reach * wish;
-    QVERIFY(passes.restAt(stroke.contactsOf(state), state.position, kRadius));
     ProxyState anew = state;
     const NearestPoint known = passes.update(state, stroke.contactsOf(state));
     const NearestPoint found = updateFelt(anew, stroke.contactsOf(anew));
@@ -97,7 +98,8 @@ void FeltPassesTest::knowsNothingOfOtherContacts() {
     state.contacts[0].triangle = touched.triangle + 1;
     locate(state.contacts[0], stroke.hand.world().obstacles, stroke.movers, kRadius, state.position);
     ProxyState anew = state;
-    QVERIFY(!passes.restAt(stroke.contactsOf(state), state.position, kRadius));
+    Vec3 motion = Vec3::Zero();
+    QVERIFY(!passes.comeToRest(stroke.contactsOf(state), state.position, motion, kRadius));
     QVERIFY(!passes.settleAsLooked(state, stroke.contactsOf(state)));
     const NearestPoint known = passes.update(state, stroke.contactsOf(state));
     const NearestPoint found = updateFelt(anew, stroke.contactsOf(anew));
@@ -114,8 +116,9 @@ void FeltPassesTest::knowsNothingBesideAFace() {
     const Vec3 far = 5e-3 * wish.normalized(); // a facet is 2 mm wide
     const double reach = passes.reach(state, stroke.contactsOf(state), Vec3::Zero(), far, {}, 1, false);
     COMPARE_NEAR(reach, 1.0, 1e-15, "");
+    Vec3 motion = far;
+    QVERIFY(!passes.comeToRest(stroke.contactsOf(state), state.position, motion, 1));
     state.position += far;
-    QVERIFY(!passes.restAt(stroke.contactsOf(state), state.position, 1));
     ProxyState anew = state;
     const NearestPoint known = passes.update(state, stroke.contactsOf(state));
     const NearestPoint found = updateFelt(anew, stroke.contactsOf(anew));
