@@ -85,6 +85,24 @@ TextureLayer paintedLayer(SharedPaint paint, TextureTarget target, double streng
     return layer;
 }
 
+// How far the proxy is above a ball and below its surface, m, at random strokes along it.
+std::pair<double, double> gapsOverABall(const TextureLayer& layer, unsigned seed) {
+    const Soup soup = ball(0.03, 3);
+    Hand hand(texturedWorld(soup, {layer}, layer.ownPlane ? rough(0.2, 0.1, 0.5) : frictionless()));
+    hand.to({0, 0, 0.04});
+    hand.go({0, 0.003, 0.029}, 0.05);
+    Rng rng(seed);
+    double highest = 0, deepest = 0;
+    for (int i = 0; i < 12; ++i)
+        hand.go(0.0285 * (hand.finger().normalized() + 0.5 * direction(rng)).normalized(),
+                uniform(rng, 0.02, 0.3), [&](const Hand& h) {
+                    const double gap = clearance(*soup, h.output().proxy) - kRadius;
+                    highest = std::max(highest, gap);
+                    deepest = std::max(deepest, -gap);
+                });
+    return {highest, deepest};
+}
+
 } // namespace
 
 class TextureStepTest : public QObject {
@@ -103,6 +121,7 @@ private slots:
     void paintedHeightTiltsTheForce();
     void paintedMaskFadesABump();
     void nothingIsLifted();
+    void aSlideIsLookedOnAside();
     void roughGroundTakesFewRounds_data();
     void roughGroundTakesFewRounds();
     void comesToRest();
@@ -300,29 +319,37 @@ void TextureStepTest::paintedMaskFadesABump() {
     QVERIFY2((ratio(hand) - expected).norm() < 0.01 * expected.norm(), qPrintable(text(ratio(hand))));
 }
 
-// Steep, coarse, fine and own planes, slow and fast: the proxy stays on the surface that is there.
+// Steep, coarse, fine and own planes, slow and fast: the proxy stays on the surface that is there. Three of
+// these hands bring a step of frictionless dots to its last round, which ended in the middle of a slide, 1 to
+// 4 um above.
 void TextureStepTest::nothingIsLifted() {
     for (TextureSource source : {TextureSource::Noise, TextureSource::Dots, TextureSource::Grooves})
         for (double size : {5e-4, 5e-3})
             for (bool own : {false, true}) {
                 TextureLayer layer = heightLayer(source, TextureMapping::Triplanar, size, 0.3 * size);
                 layer.ownPlane = own;
-                const Soup soup = ball(0.03, 3);
-                Hand hand(texturedWorld(soup, {layer}, own ? rough(0.2, 0.1, 0.5) : frictionless()));
-                hand.to({0, 0, 0.04});
-                hand.go({0, 0.003, 0.029}, 0.05);
-                Rng rng(12);
-                double highest = 0, deepest = 0;
-                for (int i = 0; i < 12; ++i)
-                    hand.go(0.0285 * (hand.finger().normalized() + 0.5 * direction(rng)).normalized(),
-                            uniform(rng, 0.02, 0.3), [&](const Hand& h) {
-                                const double gap = clearance(*soup, h.output().proxy) - kRadius;
-                                highest = std::max(highest, gap);
-                                deepest = std::max(deepest, -gap);
-                            });
-                QVERIFY2(highest < kMicrometre && deepest < kMicrometre,
-                         qPrintable(QString("%1 and %2 um").arg(1e6 * highest).arg(1e6 * deepest)));
+                for (unsigned seed : {3U, 11U, 12U, 19U}) {
+                    const auto [highest, deepest] = gapsOverABall(layer, seed);
+                    QCOMPARE_LT(highest, kMicrometre);
+                    QCOMPARE_LT(deepest, kMicrometre);
+                }
             }
+}
+
+// Across grooves a wish leads on as the slope changes, along them as far as it goes. At 45 degrees the
+// steepest way is neither: from round to round the proxy went from side to side of its way, each time a
+// little less far.
+void TextureStepTest::aSlideIsLookedOnAside() {
+    const TextureLayer grooves = heightLayer(TextureSource::Grooves, TextureMapping::Planar, 5e-3, 1e-4);
+    Hand hand = pressedAt(texturedWorld(sheet(0.05, 1), {grooves}), -0.02, -0.015);
+    double rounds = 0;
+    constexpr int kSteps = 200;
+    for (int i = 0; i < kSteps; ++i) {
+        hand.to(hand.finger() + Vec3(1.5e-4, 1.5e-4, 0));
+        rounds += hand.output().report.rounds;
+    }
+    qInfo("%.3f rounds", rounds / kSteps);
+    QCOMPARE_LT(rounds / kSteps, 1.5);
 }
 
 // Deep below rough ground the proxy lies in one fold after the other, each side of which has its own grain.
@@ -337,8 +364,8 @@ void TextureStepTest::roughGroundTakesFewRounds_data() {
     QTest::addColumn<int>("many");
     QTest::newRow("smooth") << false << false << false << 4.2 << 6;
     QTest::newRow("friction") << true << false << false << 2.3 << 22;
-    QTest::newRow("texture") << false << true << false << 3.9 << 30;
-    QTest::newRow("shading") << false << false << true << 4.7 << 42;
+    QTest::newRow("texture") << false << true << false << 3.4 << 14;
+    QTest::newRow("shading") << false << false << true << 3.8 << 30;
     QTest::newRow("texture and friction") << true << true << false << 2.1 << 8;
     QTest::newRow("shading and friction") << true << false << true << 2.2 << 6;
     QTest::newRow("texture, shading and friction") << true << true << true << 2.2 << 6;
