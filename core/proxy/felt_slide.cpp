@@ -14,7 +14,7 @@ namespace {
 
 // A slide is followed at most so many times as far as it was wished.
 constexpr double kFarthest = 2;
-// Where friction holds it, its end wishes no more than this part of it back.
+// It is good if its end wishes no more than this part of it back.
 constexpr double kOvershoot = 0.001;
 constexpr int kSearches = 8;
 // Of a wish that is gone without another look this part is left even where a secant tells how it changes; and
@@ -111,14 +111,14 @@ double FeltPasses::reach(const ProxyState& state, const FeltContacts& on, const 
         return wish;
     };
     Ahead end{1, wishAfter(1)};
-    // What a slide without friction leaves, others than this may lead to: comeToRest().
-    const double near =
-        looks ? std::max(kOvershoot * atStart, settled) : settled / (kLeftOver + std::abs(leads_ - 1));
+    // Without friction comeToRest() goes the rest.
+    const double most = looks ? settled : settled / (kLeftOver + std::abs(leads_ - 1)),
+                 near = std::max(kOvershoot * atStart, most);
     // What rubs does not come back from where it went too far: there nobody goes without a look, nor where
     // one sees less friction because the face that is touched ends.
     const auto isOnFace = [](const Contact& contact) { return contact.bend == 0; };
     const bool goesOn = !looks || std::ranges::all_of(on.contacts, isOnFace);
-    if (mayExtend && goesOn && end.wish > (looks ? settled : near) && end.wish < atStart) {
+    if (mayExtend && goesOn && end.wish > most && end.wish < atStart) {
         const double farther = std::min(atStart / (atStart - end.wish), kFarthest);
         if (!looks) return farther;
         begin = end;
