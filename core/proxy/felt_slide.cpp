@@ -23,6 +23,8 @@ constexpr double kLeftOver = 0.02, kLeftOverAside = 0.4;
 // So many looks are worth a round; each has to wish less than this part of what the last one did.
 constexpr int kLooksOn = 4;
 constexpr double kNearer = 0.7;
+// Farther aside, by this part of the way there, other faces are likelier to be in the way.
+constexpr double kFarthestAside = 0.3;
 // Two secants tell of both directions where the square of the sine between them is above this, and of no root
 // farther away than so many times the wish.
 constexpr double kSameWay = 1e-4, kFarthestRoot = 4;
@@ -171,7 +173,7 @@ bool FeltPasses::comeToRest(const FeltContacts& on, const Vec3& from, Vec3& moti
             motion = next;
             return true;
         }
-        if (looks == kLooksOn || way.norm() > motion.norm()) return false;
+        if (looks == kLooksOn || way.norm() > kFarthestAside * motion.norm()) return false;
         const double before = result_.x.norm();
         lookOn(from + next);
         if (!(result_.x.norm() < kNearer * before)) return false;

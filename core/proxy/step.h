@@ -58,6 +58,8 @@ private:
     Planes planes() noexcept;
     bool round() noexcept;
     void comeOut() noexcept;
+    void comeDown() noexcept;
+    void moveTowardFirst(const Vec3& motion) noexcept;
     Vec3 unconstrainedByFriction() noexcept;
     NearestPoint updatePlain() noexcept;
     void countStillSteps() noexcept;

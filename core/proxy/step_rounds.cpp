@@ -35,7 +35,10 @@ ProxyReport Step::run() noexcept {
             break;
         }
     }
-    if (report.boundHit) returnToNearest();
+    if (report.boundHit) {
+        returnToNearest();
+        comeDown();
+    }
     report.rounds = std::min(rounds_, mostRounds_);
     report.squeezed = squeezed_;
     finish();
@@ -141,7 +144,7 @@ bool Step::round() noexcept {
     const double excess = along.norm();
     // Nor does a step end beside what is pressed, in the middle of a long slide: its last round only goes
     // down.
-    bool onlyDown = (felt_ || rubbing) && excess > rest_ && rounds_ == mostRounds_;
+    bool onlyDown = rubbing && excess > rest_ && rounds_ == mostRounds_;
     const double slide = excess > rest_ && !onlyDown ? frictionAllows(along / excess, excess) : 0;
     // Friction that lets go entirely is none; the last rounds take no risks.
     const bool bold = rounds_ < mostRounds_ - 2;
@@ -197,10 +200,22 @@ void Step::comeOut() noexcept {
     if (std::ranges::none_of(contacts(), isInside)) return;
     const NearestPoint out = nearestPoint(Vec3::Zero(), planes().all());
     if (!out.feasible) return;
-    std::uint32_t body = kNoBody;
-    const SweepHit hit = sweep(out.x, body);
-    goTo(state_.position + std::min(hit.t, 1.0) * out.x);
+    moveTowardFirst(out.x);
     nearestDistance_ = std::numeric_limits<double>::infinity(); // where it was is no place to return to
+}
+
+// The last round of a step that needed more ended in the middle of a slide, beside what is felt or above it.
+void Step::comeDown() noexcept {
+    if (!felt_) return;
+    const Vec3 down = state_.contactCount > 0 ? seatOnFelt() : Vec3(finger_ - state_.position);
+    if (down.norm() > rest_) moveTowardFirst(down);
+}
+
+// As far as to what is met first.
+void Step::moveTowardFirst(const Vec3& motion) noexcept {
+    std::uint32_t body = kNoBody;
+    const SweepHit hit = sweep(motion, body);
+    goTo(state_.position + std::min(hit.t, 1.0) * motion);
     refreshContacts();
     if (body != kNoBody) meet(body, hit.triangle);
 }

@@ -365,7 +365,7 @@ void TextureStepTest::roughGroundTakesFewRounds_data() {
     QTest::newRow("smooth") << false << false << false << 4.2 << 6;
     QTest::newRow("friction") << true << false << false << 2.3 << 22;
     QTest::newRow("texture") << false << true << false << 3.4 << 14;
-    QTest::newRow("shading") << false << false << true << 3.8 << 30;
+    QTest::newRow("shading") << false << false << true << 4.0 << 34;
     QTest::newRow("texture and friction") << true << true << false << 2.1 << 8;
     QTest::newRow("shading and friction") << true << false << true << 2.2 << 6;
     QTest::newRow("texture, shading and friction") << true << true << true << 2.2 << 6;
