@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QMimeData>
 #include <QTest>
+#include <QtEndian>
 
 #include "core/presets/preset_file.h"
 #include "tests/support/as_shown.h"
@@ -83,6 +84,14 @@ void write(const QString& file, const QByteArray& text) {
     if (!out.open(QIODevice::WriteOnly) || out.write(text) != text.size()) qFatal("it cannot be written");
 }
 
+// As its header has it, after the six letters of its kind.
+QSize sizeOfGif(const QString& path) {
+    QFile file(path);
+    const QByteArray head = file.open(QIODevice::ReadOnly) ? file.read(10) : QByteArray();
+    if (head.size() < 10) return {};
+    return {qFromLittleEndian<quint16>(head.data() + 6), qFromLittleEndian<quint16>(head.data() + 8)};
+}
+
 } // namespace
 
 class TestWrittenFiles : public QObject {
@@ -149,6 +158,7 @@ private slots:
         for (const char* size : {"video-720", "video-1080", "video-view", "video-plot"})
             desk.command(size);
         desk.command("record-video", typed(desk.file("nowhere/touch.webm")));
+        desk.told.command("video-720").trigger();
         desk.note(
             QStringLiteral("recorded"),
             [&] {
@@ -166,6 +176,7 @@ private slots:
             },
             typed(desk.file("touch.gif"), 1));
         COMPARE_SHOWN(desk.said(), "written-videos");
+        QCOMPARE(sizeOfGif(desk.file("touch.gif")), QSize(1280, 720));
     }
 };
 
