@@ -13,7 +13,7 @@ namespace tactum {
 
 /// The smallest feature of a texture passes by in so many steps. Of waves as short nothing is left, for the
 /// steps would show them as others; from eight times of it on all is. At a rate f frequencies up to f / 20
-/// are whole, half is left of f / 7, and none of f / 2.5.
+/// are whole, of a formula half is left of f / 7, of a picture of f / 5, and none of f / 2.5.
 inline constexpr double kStepsToAFeature = 2.5;
 /// Features of a texture below this part of the proxy's radius are not felt at any speed.
 inline constexpr double kFinestFeature = 0.05;

@@ -113,6 +113,7 @@ private:
     bool meet(std::uint32_t body, Index triangle) noexcept;
     void foresee(std::uint32_t body, const SweepHit& hit) noexcept;
     void takeOver() noexcept;
+    void handOver(const Contact& from, Contact& to) noexcept;
     void locate(Contact& contact) noexcept;
 
     ProxyState& state_;

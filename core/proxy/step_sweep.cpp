@@ -130,18 +130,29 @@ void Step::foresee(std::uint32_t body, const SweepHit& hit) noexcept {
 }
 
 // Where the proxy has slid onto the face that was met last, what it slid from touches it with an edge at the
-// same place: the face alone is what it slides on from there.
+// same place: the face alone is what it slides on from there, and it pushes as that did.
 void Step::takeOver() noexcept {
-    Contact& face = state_.contacts[std::size_t(--state_.contactCount)];
+    Contact face = state_.contacts[std::size_t(--state_.contactCount)];
     const auto others = contacts();
     const auto isLeft = [&](const Contact& c) {
         return c.body == face.body && c.bend > 0 && (c.point - face.point).norm() <= kSamePlace * radius_;
     };
     for (const Contact& contact : others)
-        if (isLeft(contact)) face.lambda = std::max(face.lambda, contact.lambda);
-    const Contact kept = face;
+        if (isLeft(contact)) handOver(contact, face);
     state_.contactCount = int(std::remove_if(others.begin(), others.end(), isLeft) - others.begin());
-    state_.contacts[std::size_t(state_.contactCount++)] = kept;
+    state_.contacts[std::size_t(state_.contactCount++)] = face;
+}
+
+// A push is never without the material that it was made with, nor without the planes that it is felt by.
+void Step::handOver(const Contact& from, Contact& to) noexcept {
+    if (from.lambda > to.lambda) {
+        to.lambda = from.lambda;
+        to.material = from.material;
+    }
+    for (int i = 0; i < state_.feltCount; ++i)
+        if (FeltPlane& plane = state_.felt[std::size_t(i)];
+            plane.body == from.body && plane.triangle == from.triangle)
+            plane.triangle = to.triangle;
 }
 
 void Step::locate(Contact& contact) noexcept {
