@@ -39,7 +39,7 @@ void settleFriction(TouchOptions& options) {
 
 // Whatever is of one finger has one path; what each finger gives has a file of its own.
 void checkHands(const TouchOptions& options) {
-    const std::size_t hands = options.paths.size();
+    const std::size_t hands = std::max<std::size_t>(1, options.paths.size());
     if (hands > kMaxHands)
         throw CLI::ValidationError("--path", "is given " + std::to_string(hands) + " times; " +
                                                  std::to_string(kMaxHands) + " hands are the most");
@@ -58,9 +58,10 @@ void addTouch(CLI::App& program, TouchOptions& options) {
     CLI::App* touch = program.add_subcommand("touch", "Replay a finger path over a scene");
     addFile(*touch, "SCENE", options.scene, "Any file that the program opens; - is standard input")
         ->required();
-    addFiles(*touch, "--path", options.paths,
-             "The finger: CSV with the header t,x,y,z in seconds and metres; once for each hand")
-        ->required();
+    addFiles(
+        *touch, "--path", options.paths,
+        "The finger: CSV with the header t,x,y,z in seconds and metres; once for each hand. Without it the "
+        "path that is kept in the scene");
     addFiles(*touch, "--out", options.outs,
              "Write the touch as CSV, one row for each update; - is standard output; once for each --path");
     addFile(*touch, "--summary", options.summary, "Write the summary as JSON");

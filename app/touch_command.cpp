@@ -120,10 +120,22 @@ Result<std::vector<FingerPath>> readPaths(const std::vector<std::filesystem::pat
     return paths;
 }
 
+/// Where none is given the scene brings one.
+Result<void> addScenesOwn(std::vector<FingerPath>& paths, const TouchOptions& options, const Scene& scene) {
+    if (!paths.empty()) return {};
+    if (!scene.finger)
+        return tl::unexpected(
+            Error{Error::Kind::Usage,
+                  shownPath(options.scene) + ": has no finger path in it; give one with --path"});
+    paths.push_back(*scene.finger);
+    return {};
+}
+
 void noteIdleHands(const TouchOptions& options, const std::vector<TouchTrace>& hands) {
     for (std::size_t i = 0; i < hands.size(); ++i)
         if (std::ranges::none_of(hands[i], touches))
-            std::cerr << "note: the finger path " << shownPath(options.paths[i])
+            std::cerr << "note: the finger path "
+                      << shownPath(options.paths.empty() ? options.scene : options.paths[i])
                       << " touches nothing; is it in metres, and where the scene is?\n";
 }
 
@@ -133,12 +145,14 @@ Result<int> runTouch(const TouchOptions& options) {
     if (options.vibration)
         if (const auto known = checkVibrationFile(*options.vibration); !known)
             return tl::unexpected(known.error());
-    const auto paths = readPaths(options.paths);
+    auto paths = readPaths(options.paths);
     if (!paths) return tl::unexpected(paths.error());
     const auto loading = Clock::now();
     auto loaded = importGiven(options.scene, options.axes);
     if (!loaded) return tl::unexpected(loaded.error());
     applyOverrides(loaded->scene, options);
+    if (const auto found = addScenesOwn(*paths, options, loaded->scene); !found)
+        return tl::unexpected(found.error());
     const double load = secondsSince(loading);
     const auto building = Clock::now();
     const auto world = compile(loaded->scene);

@@ -49,13 +49,15 @@ bool write(const std::filesystem::path& file, const std::string& bytes) {
     return out.flush().good();
 }
 
-/// What the finger of a scene must feel, as in the forces.csv of a bundle; to a tenth of a micronewton.
+/// What the finger of a scene must feel, in columns that are called as in the forces.csv of a bundle: no path
+/// of a finger. To a tenth of a micronewton.
 std::string forcesOf(const tactum::Scene& scene) {
     std::vector<tactum::FingerPoint> forces;
     if (const auto world = tactum::compile(scene))
         for (const tactum::TouchRow& row : tactum::replay(**world, *scene.finger))
             forces.push_back({row.t, (row.force * 1e7).array().round() / 1e7 + 0.0});
-    return tactum::fingerCsv(forces);
+    const std::string rows = tactum::fingerCsv(forces);
+    return "t_s,force_x_N,force_y_N,force_z_N" + rows.substr(rows.find('\n'));
 }
 
 bool noted(const tactum::samples::Sample& sample, const tactum::Result<void>& result) {

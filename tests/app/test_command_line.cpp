@@ -109,6 +109,27 @@ private slots:
         QCOMPARE(last[FingerY], 0.003); // full precision: reads back as the same double
     }
 
+    // The forces are those of the file beside the sample, which is no finger itself.
+    void touchGoesTheScenesOwnPath() {
+        const QString sample = QStringLiteral(TACTUM_ROOT "/resources/scenes/stiffness-ladder");
+        const Ended ended = runTactum({"touch", sample + ".glb", "--out", file("own.csv")});
+        QVERIFY2(ended.code == 0, ended.error);
+        const QList<Row> felt = rowsOf(file("own.csv")), right = rowsOf(sample + ".csv");
+        QCOMPARE_GT(felt.size(), 1000);
+        QCOMPARE(felt.size(), right.size());
+        double off = 0;
+        for (qsizetype i = 0; i < felt.size(); ++i)
+            for (int axis = 0; axis < 3; ++axis)
+                off = std::max(off, std::abs(felt[i][ForceX + axis] - right[i][1 + axis]));
+        QCOMPARE_LT(off, 1e-6); // N: the file has seven decimals
+        const Ended without = runTactum({"touch", plate()}),
+                    forces = runTactum({"touch", sample + ".glb", "--path", sample + ".csv"});
+        QCOMPARE(without.code, 2);
+        COMPARE_CONTAINS(oneLine(without.error), "plate.obj: has no finger path in it; give one with --path");
+        QCOMPARE(forces.code, 1);
+        COMPARE_CONTAINS(oneLine(forces.error), "the header must be \"t,x,y,z\"");
+    }
+
     void touchPrintsTheSummary() {
         const QString path = pressAndSlide(0.002, 0);
         const Ended ended = runTactum({"touch", plate(), "--path", path, "--summary", file("s.json")});
