@@ -34,6 +34,7 @@ struct Search {
     void lookAt(const SphereTree::Leaf& leaf) noexcept;
     void lookAt(Index triangle) noexcept;
     bool isNew(Index triangle) noexcept;
+    double straightness(const Vec3& normalThere, const Vec3& point) const noexcept;
     Nearest result() const noexcept;
 };
 
@@ -72,6 +73,14 @@ bool Search::isNew(Index triangle) noexcept {
     return true;
 }
 
+/// How upright the way from a point of the surface is on the normal there, from 0 to 1. Of several that are
+/// as near it tells what is seen from the side: from afar the edge of a face is hardly farther than the face
+/// beside it that is the nearest.
+double Search::straightness(const Vec3& normalThere, const Vec3& point) const noexcept {
+    const double scale = normalThere.norm() * (p - point).norm();
+    return scale > 0 ? std::abs(normalThere.dot(p - point)) / scale : 0;
+}
+
 void Search::lookAt(Index triangle) noexcept {
     if (!sides.empty() && sides[mesh.soup->surfaceOf[triangle]] == Sides::None) return;
     const auto& corners = mesh.soup->triangles[triangle];
@@ -80,13 +89,15 @@ void Search::lookAt(Index triangle) noexcept {
     const ClosestPoint closest = closestPoint(shape, p);
     const double distance = (p - closest.point).norm();
     if (distance > best.distance * kSame) return;
-    const bool same = (closest.point - best.point).norm() <= (kSame - 1) * distance;
-    if (distance * kSame < best.distance || sharingCount == 0) {
+    const bool isFirst = sharingCount == 0 || distance * kSame < best.distance;
+    const bool same = !isFirst && (closest.point - best.point).norm() <= (kSame - 1) * distance;
+    if (!isFirst && !same &&
+        straightness(normalAt(shape, closest), closest.point) <= straightness(normal, best.point))
+        return;
+    if (!same) {
         best = {distance, triangle, closest.point, 0};
         normal = Vec3::Zero();
         sharingCount = 0;
-    } else if (!same) {
-        return;
     }
     if (isNew(triangle)) normal += normalAt(shape, closest);
 }

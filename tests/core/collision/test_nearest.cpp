@@ -9,6 +9,7 @@
 #include "tests/support/compare.h"
 #include "tests/support/soups.h"
 #include "tests/support/test_program.h"
+#include "tests/support/two_hands.h"
 
 namespace test_nearest {
 
@@ -120,6 +121,27 @@ private slots:
             }
         }
         QCOMPARE_GT(corners, 500);
+    }
+
+    // Hardly below the plane of a face of a box, and far beside it: an edge of that face is as far as the
+    // face that is the nearest, but for what a double hardly tells.
+    void theSideIsRightFromAfar() {
+        Rng rng(74);
+        const CollisionMesh mesh = meshOf(cube(1));
+        QVERIFY(mesh.closed);
+        int wrong = 0;
+        for (int i = 0; i < 30000; ++i) {
+            const int flat = i % 3, away = (flat + 1 + i / 3 % 2) % 3, other = 3 - flat - away;
+            Vec3 p;
+            p[flat] = (rng() % 2 ? 1 : -1) * (1 - std::pow(10, uniform(rng, -12, -1)));
+            p[away] = (rng() % 2 ? 1 : -1) * (1 + std::pow(10, uniform(rng, -3, 3)));
+            p[other] = uniform(rng, -1.5, 1.5);
+            const Nearest near = nearestOn(mesh, p);
+            const double right = (p - p.cwiseMax(-1).cwiseMin(1)).norm();
+            wrong += !(near.front > 0);
+            QCOMPARE_LE(std::abs(near.distance - right), 1.1e-9 * right);
+        }
+        QCOMPARE(wrong, 0);
     }
 
     void onlyWhatHasAnInsideIsClosed() {
