@@ -96,7 +96,7 @@ void startAnew(const World& world, double time, HandState& state, const HapticIn
     if (input.found && !first) former.at_W = state.proxy.position;
     const StepMotions movers(world.movers, time, time, world.drivenMotions());
     const Vec3 place =
-        clearPlace(world.obstacles, movers, world.proxyRadius, wanted, former).value_or(wanted);
+        clearPlace(world.obstacles, movers, world.proxyRadius, wanted, former, &world.near).value_or(wanted);
     restart(state.proxy, place);
     state.proxy.finger = input.finger;
     if (atFinger || place != wanted) ++state.restarts;

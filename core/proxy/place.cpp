@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/collision/nearest.h"
+#include "core/proxy/near_bodies.h"
 #include "core/proxy/proxy.h"
 
 namespace tactum {
@@ -22,6 +23,7 @@ struct Placing {
     const StepMotions& movers;
     double radius;
     FormerPlace former;
+    const NearBodies* bodies; ///< null: look at every obstacle
 
     bool mayNotEnter(const Obstacle& obstacle) const noexcept;
     Vec3 pushOff(const Obstacle& obstacle, const Vec3& p_W) const noexcept;
@@ -65,31 +67,34 @@ Vec3 Placing::pushOff(const Obstacle& obstacle, const Vec3& p_W) const noexcept 
 
 Vec3 Placing::largestPush(const Vec3& p_W) const noexcept {
     Vec3 largest = Vec3::Zero();
-    for (const Obstacle& obstacle : obstacles) {
-        const Vec3 push = pushOff(obstacle, p_W);
+    // Who is inside of an obstacle is within its box.
+    forEachNear(bodies, obstacles.size(), p_W, radius, [&](std::uint32_t body) {
+        const Vec3 push = pushOff(obstacles[body], p_W);
         if (push.squaredNorm() > largest.squaredNorm()) largest = push;
-    }
+    });
     return largest;
 }
 
 /// How near a proxy that starts clear of everything comes on a straight way.
 Vec3 Placing::nearestOnWay(const Vec3& from_W, const Vec3& to_W) const noexcept {
     double t = 1;
-    for (const Obstacle& obstacle : obstacles) {
+    const double wide = radius * (1 + kClear), half = 0.5 * (to_W - from_W).norm();
+    forEachNear(bodies, obstacles.size(), 0.5 * (from_W + to_W), half + wide, [&](std::uint32_t body) {
+        const Obstacle& obstacle = obstacles[body];
         const Pose pose = poseNow(obstacle, movers);
         const Vec3 from_B = pose.applyInverse(from_W);
-        const SpherePath path{from_B, pose.applyInverse(to_W) - from_B, radius * (1 + kClear),
-                              obstacle.sides};
+        const SpherePath path{from_B, pose.applyInverse(to_W) - from_B, wide, obstacle.sides};
         t = std::min(t, obstacle.mesh->tree.sweep(*obstacle.mesh->soup, path, {}).t);
-    }
+    });
     return from_W + t * (to_W - from_W);
 }
 
 } // namespace
 
 std::optional<Vec3> clearPlace(std::span<const Obstacle> obstacles, const StepMotions& movers, double radius,
-                               const Vec3& wanted_W, const FormerPlace& former) noexcept {
-    const Placing placing{obstacles, movers, radius, former};
+                               const Vec3& wanted_W, const FormerPlace& former,
+                               const NearBodies* near) noexcept {
+    const Placing placing{obstacles, movers, radius, former, near};
     const Vec3 first = placing.largestPush(wanted_W);
     Vec3 place = wanted_W;
     for (int push = 0; push < kPushes; ++push) {

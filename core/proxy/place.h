@@ -8,6 +8,8 @@
 
 namespace tactum {
 
+class NearBodies;
+
 /// Where the proxy was before, as far as that is known.
 struct FormerPlace {
     std::uint64_t since; ///< shape revision: an obstacle that came to its place later was not there
@@ -19,8 +21,10 @@ struct FormerPlace {
 /// brings it: `wanted_W` itself where that is clear. Nothing where none is found, as in a slot that is too
 /// narrow. A closed obstacle is left through its nearest surface when the proxy is found inside and was not
 /// there before: because the obstacle was not there, or because the proxy was outside. Else the inside is a
-/// place like others. World frame, metre. Thread: real time; some dozens of nearestOn().
+/// place like others. `near`: of these obstacles, where they are many; without it each is looked at. World
+/// frame, metre. Thread: real time; some dozens of nearestOn() of each body that is near.
 std::optional<Vec3> clearPlace(std::span<const Obstacle> obstacles, const StepMotions& movers, double radius,
-                               const Vec3& wanted_W, const FormerPlace& former) noexcept;
+                               const Vec3& wanted_W, const FormerPlace& former,
+                               const NearBodies* near = nullptr) noexcept;
 
 } // namespace tactum

@@ -7,10 +7,12 @@
 
 #include "core/collision/nearest.h"
 #include "core/proxy/near_bodies.h"
+#include "core/proxy/place.h"
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/movers.h"
 #include "tests/support/test_program.h"
+#include "tests/support/two_hands.h"
 
 namespace test_near_bodies {
 
@@ -23,10 +25,11 @@ Vec3 inCube(Rng& rng, double half) {
     return {uniform(rng, -half, half), uniform(rng, -half, half), uniform(rng, -half, half)};
 }
 
-/// Plates of several sizes, anyhow turned, in a cube.
+/// Plates of several sizes, or what else is given, anyhow turned, in a cube.
 struct Heap {
-    explicit Heap(int count, double half = 0.1) : material(rough(0.4, 0.3)) {
-        const Soup soup = plate(0.004, 0.002), large = plate(0.015, 0.001);
+    explicit Heap(int count, double half = 0.1, const Soup& soup = plate(0.004, 0.002),
+                  const Soup& large = plate(0.015, 0.001))
+        : material(rough(0.4, 0.3)) {
         meshes = {CollisionMesh{soup, SphereTree(*soup)}, CollisionMesh{large, SphereTree(*large)}};
         Rng rng(3);
         for (int i = 0; i < count; ++i) {
@@ -53,6 +56,7 @@ private slots:
     void nothingThatIsNearIsLeftOut();
     void mostOfWhatIsFarIsLeftOut();
     void theStepIsTheSame();
+    void theClearPlaceIsTheSame();
     void whatMovesIsSeenOnAllOfItsWay();
 };
 
@@ -113,6 +117,34 @@ void NearBodiesTest::theStepIsTheSame() {
         }
     }
     QCOMPARE_GT(touched, 1000);
+}
+
+// Overlapped, inside of cubes that came to where it is, between several: the way out is the same one.
+void NearBodiesTest::theClearPlaceIsTheSame() {
+    Heap heap(60, 0.05, cube(0.003), cube(0.01));
+    for (CollisionMesh& mesh : heap.meshes)
+        mesh.closed = true;
+    for (std::size_t i = 0; i < heap.obstacles.size(); i += 2)
+        heap.obstacles[i].placedIn = 1;
+    const NearBodies near(heap.obstacles);
+    Rng rng(7);
+    int pushed = 0, inside = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        const double radius = std::array{1e-3, 5e-3, 2e-2}[std::size_t(trial % 3)];
+        const Vec3 wanted = inCube(rng, 0.05);
+        FormerPlace former{0};
+        if (trial % 2) former.at_W = inCube(rng, 0.05);
+        const auto with = clearPlace(heap.obstacles, {}, radius, wanted, former, &near),
+                   without = clearPlace(heap.obstacles, {}, radius, wanted, former);
+        QCOMPARE(with.has_value(), without.has_value());
+        if (!with) continue;
+        COMPARE_NEAR(*with, *without, 1e-12, "m");
+        pushed += *with != wanted;
+        inside += (*with - wanted).norm() > radius;
+    }
+    qInfo("%d pushed off, %d from inside", pushed, inside);
+    QCOMPARE_GT(pushed, 1000);
+    QCOMPARE_GT(inside, 100);
 }
 
 // Wherever it is at some time of its course; and where it never comes it is not looked at.
