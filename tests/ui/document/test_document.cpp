@@ -379,6 +379,12 @@ void TestDocument::editsOfNothingAreIgnored() {
     document_->renameObject(99, QStringLiteral("ghost"));
     document_->removeObject(99);
     document_->setMaterialValue(front(), kMaterialFields[0], kStiffness.initial);
+    bool worked = false;
+    document_->changeObject(99, QStringLiteral("Nothing"), [&](const SceneObject& object, const Progress&) {
+        worked = true;
+        return Result<SceneObject>(object);
+    });
+    QVERIFY(!worked);
     QCOMPARE(document_->history().count(), 0);
 }
 

@@ -63,6 +63,7 @@ private slots:
         QCOMPARE(desk.run.device().name, "Example arm");
         QVERIFY(!desk.run.look());
         desk.run.end(QStringLiteral("before it began"));
+        desk.run.end(QStringLiteral("once more")); // the first reason stays
         desk.run.start();
         QVERIFY(desk.ends());
         QVERIFY(!desk.run.finishedWhole());

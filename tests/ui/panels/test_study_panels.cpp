@@ -284,6 +284,20 @@ void TestStudyPanels::theDialogKeepsWhatItIsGiven() {
         QCOMPARE(linesOf(*same), linesOf(design));
         QVERIFY(*same == design);
     }
+    // Millimetres in the fields are metres in the study.
+    StudyDesign small = written();
+    small.procedure = Procedure::Staircase;
+    small.staircase.object.clear();
+    small.staircase.surface.clear();
+    small.staircase.parameter = "proxy-radius";
+    small.staircase.reference = 1e-3;
+    small.staircase.start = 5e-4;
+    small.staircase.smallest = 1e-4;
+    small.staircase.largest = 2e-3;
+    small.staircase.steps = {2e-4, 1e-4};
+    const auto same = asked(small, [](const QDialog&) {});
+    QVERIFY(same);
+    QCOMPARE(linesOf(*same), linesOf(small));
 }
 
 void TestStudyPanels::eachFieldOfTheDialogChangesItsMemberAlone() {

@@ -103,6 +103,8 @@ private slots:
         shown.view.showStandardView(StandardView::Right); // the normal lies in the picture, to the left
         shown.view.setSection(SectionPlane{});
         std::optional<SectionPlane> led;
+        QSignalSpy arranged(&shown.view, &SceneView::arrangeDragged),
+            mapped(&shown.view, &SceneView::mappingDragged);
         connect(&shown.view, &SceneView::sectionDragged, &shown.view, [&](const SectionPlane& plane) {
             led = plane;
             shown.view.setSection(plane);
@@ -120,6 +122,7 @@ private slots:
         QCOMPARE_GT(angle, 0.2);
         COMPARE_NEAR(std::remainder(angle, EIGEN_PI / 12), 0, 1e-9, "rad");
         COMPARE_NEAR(led->normal().x(), 0, 1e-12, "");
+        QCOMPARE(arranged.size() + mapped.size(), 0); // nothing else was led
     }
 
     void bodiesThatMoveAreShownWhereTheyAre() {

@@ -304,6 +304,16 @@ void TestShowing::aReportIsWritten() {
     QCOMPARE(inReport.pixelColor(inReport.rect().center()),
              view.grabWithoutHandles().scaled(inReport.size()).pixelColor(inReport.rect().center()));
 
+    // That the file is another scene now is told.
+    const SurfaceRef surface{program.document.scene().objects[0].id, 0};
+    program.document.setMaterialValue(surface, kMaterialFields[0], 123);
+    answerFileDialog(file("changed.html"));
+    program.command("export-report").trigger();
+    QVERIFY(waitFor([&] { return notice->text().contains(QStringLiteral("changed.html")); }));
+    QFile changed(file("changed.html"));
+    QVERIFY2(changed.open(QIODevice::ReadOnly), qPrintable(notice->text()));
+    COMPARE_CONTAINS(changed.readAll(), "not saved as it is here");
+
     // On paper nothing is stretched, as another reader finds it: as many dots to an inch across as along.
     answerFileDialog(file("report.pdf"));
     program.command("export-report").trigger();
