@@ -42,6 +42,19 @@ struct Heap {
         }
     }
 
+    /// Lets every so many of them swing, slide or turn.
+    std::vector<Mover> moved(std::size_t every) {
+        const std::array motions{swinging({0.05, 0.02, 0}, 2), sliding({0, 0.01, 0}, 3),
+                                 turning({1, 2, 0}, 4)};
+        std::vector<Mover> movers;
+        for (std::size_t body = 0; body < obstacles.size(); body += every) {
+            obstacles[body].mover = int(movers.size());
+            movers.push_back(
+                {std::uint32_t(body), obstacles[body].pose, motions[body / every % motions.size()]});
+        }
+        return movers;
+    }
+
     Material material;
     std::vector<CollisionMesh> meshes;
     std::vector<Obstacle> obstacles;
@@ -55,6 +68,7 @@ class NearBodiesTest : public QObject {
 private slots:
     void nothingThatIsNearIsLeftOut();
     void mostOfWhatIsFarIsLeftOut();
+    void theStepIsTheSame_data();
     void theStepIsTheSame();
     void theClearPlaceIsTheSame();
     void whatMovesIsSeenOnAllOfItsWay();
@@ -97,21 +111,38 @@ void NearBodiesTest::mostOfWhatIsFarIsLeftOut() {
     QCOMPARE_LT(many, 50);
 }
 
+void NearBodiesTest::theStepIsTheSame_data() {
+    QTest::addColumn<bool>("oneSided");
+    QTest::addColumn<bool>("moving");
+    QTest::newRow("at rest") << false << false;
+    QTest::newRow("from one side") << true << false;
+    QTest::newRow("some move") << false << true;
+    QTest::newRow("from one side, some move") << true << true;
+}
+
 void NearBodiesTest::theStepIsTheSame() {
-    const Heap heap(600, 0.05);
-    const NearBodies near(heap.obstacles);
+    QFETCH(bool, oneSided);
+    QFETCH(bool, moving);
+    static constexpr std::array kSides{Sides::Front, Sides::Back};
+    Heap heap(600, 0.05);
+    for (std::size_t i = 0; oneSided && i < heap.obstacles.size(); i += 3)
+        heap.obstacles[i].sides = {&kSides[i % 2], 1};
+    const std::vector<Mover> movers = moving ? heap.moved(4) : std::vector<Mover>();
+    const NearBodies near(heap.obstacles, movers);
     ProxyState with, without;
     Rng rng(6);
     Vec3 finger(0.07, 0, 0);
     restart(with, finger);
     restart(without, finger);
     int touched = 0;
+    double time = 0;
     for (int leg = 0; leg < 60; ++leg) {
         const Vec3 target = inCube(rng, 0.05), way = (target - finger) / 100;
-        for (int i = 0; i < 100; ++i) {
+        for (int i = 0; i < 100; ++i, time += kMillisecond) {
             finger += way;
-            moveAndUpdate(with, heap.obstacles, 1e-3, finger, kMillisecond, {}, kMaxRounds, &near);
-            moveAndUpdate(without, heap.obstacles, 1e-3, finger, kMillisecond);
+            const StepMotions now(movers, time, time + kMillisecond, {});
+            moveAndUpdate(with, heap.obstacles, 1e-3, finger, kMillisecond, now, kMaxRounds, &near);
+            moveAndUpdate(without, heap.obstacles, 1e-3, finger, kMillisecond, now);
             COMPARE_NEAR(with.position, without.position, 1e-9, "m");
             touched += with.contactCount > 0;
         }
@@ -150,14 +181,8 @@ void NearBodiesTest::theClearPlaceIsTheSame() {
 // Wherever it is at some time of its course; and where it never comes it is not looked at.
 void NearBodiesTest::whatMovesIsSeenOnAllOfItsWay() {
     Rng rng(8);
-    const std::array motions{swinging({0.05, 0.02, 0}, 2), sliding({0, 0.01, 0}, 3), turning({1, 2, 0}, 4)};
     Heap heap(60, 0.1);
-    std::vector<Mover> movers;
-    for (std::size_t body = 0; body < heap.obstacles.size(); body += 2) {
-        heap.obstacles[body].mover = int(movers.size());
-        movers.push_back(
-            {std::uint32_t(body), heap.obstacles[body].pose, motions[body / 2 % motions.size()]});
-    }
+    const std::vector<Mover> movers = heap.moved(2);
     const NearBodies near(heap.obstacles, movers);
     int reached = 0, looked = 0;
     for (int trial = 0; trial < 10000; ++trial) {
