@@ -26,7 +26,6 @@ private slots:
 
     void wrongUsageIsTwo_data() {
         QTest::addColumn<QStringList>("arguments");
-        QTest::newRow("no path") << QStringList{"touch", "x.obj"};
         QTest::newRow("no scene") << QStringList{"info"};
         QTest::newRow("unknown option") << QStringList{"check", "x.obj", "--nonsense"};
         QTest::newRow("unknown flag without verb") << QStringList{"--nonsense"};

@@ -191,7 +191,8 @@ private slots:
         QVERIFY(loaded->scene.finger);
         const std::vector<FingerPoint>& finger = *loaded->scene.finger;
         const std::string file = pathOf(QTest::currentDataTag()) + ".csv";
-        COMPARE_CONTAINS(test::refusal(readFingerPath(file)), "the header must be"); // nobody takes it for a finger
+        COMPARE_CONTAINS(test::refusal(readFingerPath(file)),
+                         "the header must be"); // nobody takes it for a finger
         const std::string text = contentOf(QString::fromStdString(file)).toStdString();
         const auto expected = readFingerPath("t,x,y,z" + text.substr(text.find('\n')), file);
         VERIFY_RESULT(expected);
