@@ -73,9 +73,9 @@ bool Search::isNew(Index triangle) noexcept {
     return true;
 }
 
-/// How upright the way from a point of the surface is on the normal there, from 0 to 1. Of several that are
-/// as near it tells what is seen from the side: from afar the edge of a face is hardly farther than the face
-/// beside it that is the nearest.
+/// How straight a point of the surface is faced from here, from 0 to 1: the cosine to the normal there. Of
+/// several that are as near, the one that is faced the straightest tells the side: from afar the edge of a
+/// face that is seen from beside is hardly farther than the face next to it, which is the nearest.
 double Search::straightness(const Vec3& normalThere, const Vec3& point) const noexcept {
     const double scale = normalThere.norm() * (p - point).norm();
     return scale > 0 ? std::abs(normalThere.dot(p - point)) / scale : 0;
