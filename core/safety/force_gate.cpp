@@ -27,12 +27,7 @@ InhibitReason ForceGate::faultOf(const GateInput& tick) const noexcept {
 }
 
 double ForceGate::operator()(const GateInput& tick) noexcept {
-    if (!tick.armed) {
-        if (fades(tick)) return gain_;
-        if (state_ != GateState::Off) settle(InhibitReason::NotArmed);
-        state_ = GateState::Off;
-        return 0;
-    }
+    if (!tick.armed) return disarmed(tick);
     if (state_ == GateState::Latched) return 0; // until the person has switched off and on again
     if (const InhibitReason fault = faultOf(tick); fault != InhibitReason::Nothing) {
         latch(fault);
@@ -44,6 +39,15 @@ double ForceGate::operator()(const GateInput& tick) noexcept {
         rise(tick);
     }
     return gain_;
+}
+
+/// What cuts a fade short is told in the tick in which it does, as every pause is.
+double ForceGate::disarmed(const GateInput& tick) noexcept {
+    if (fades(tick)) return gain_;
+    const InhibitReason pause = tick.fading && gain_ > 0 ? pauseOf(tick) : InhibitReason::Nothing;
+    settle(pause == InhibitReason::Nothing ? InhibitReason::NotArmed : pause);
+    state_ = GateState::Off;
+    return 0;
 }
 
 void ForceGate::settle(InhibitReason why) noexcept {

@@ -83,6 +83,7 @@ private:
     void settle(InhibitReason why) noexcept;
     void wait(const GateInput& tick) noexcept;
     void rise(const GateInput& tick) noexcept;
+    double disarmed(const GateInput& tick) noexcept;
     bool fades(const GateInput& tick) noexcept;
 
     double tripSpeed_;

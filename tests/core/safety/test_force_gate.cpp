@@ -172,6 +172,10 @@ private slots:
             GateInput both = fading;
             pause.change(both);
             QCOMPARE_EQ(paused(both), 0);
+            QCOMPARE(paused.inhibit(), pause.why); // that it ended too soon is told
+            QCOMPARE_EQ(paused(both), 0);
+            QCOMPARE(paused.inhibit(), InhibitReason::NotArmed);
+            QCOMPARE_EQ(int(paused.state()), int(GateState::Off));
         }
     }
 
